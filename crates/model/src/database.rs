@@ -1,0 +1,376 @@
+//! The arena of objects and the only methods that change it.
+
+use std::collections::HashMap;
+
+use schema::{Class, Dimension, UnitSystem};
+use smallvec::SmallVec;
+
+use crate::{
+    Cell, CellKey, Mark, Settings, UnitsId, Value,
+    dependencies::Dependencies,
+    settings::first_units,
+    undo::{Change, History},
+};
+
+/// Handle of an object; never used again after the object is deleted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ObjectId(pub u32);
+
+/// One object of the tree.
+#[derive(Clone, Debug)]
+pub struct Object {
+    pub class: &'static Class,
+    /// Name in the case it was given.
+    pub name: String,
+    pub parent: Option<ObjectId>,
+    /// In order of creation.
+    pub children: Vec<ObjectId>,
+    /// One for each field of the class; `None` where nothing was given and there is no default.
+    pub cells: Vec<Option<Cell>>,
+}
+
+/// An object of that kind and full name exists already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NameTaken(pub ObjectId);
+
+pub(crate) type NameKey = (Option<ObjectId>, Box<str>);
+
+/// The modelling database.
+#[derive(Clone, Debug)]
+pub struct Database {
+    pub(crate) objects: Vec<Option<Box<Object>>>,
+    /// Top-level objects in order of creation.
+    pub(crate) roots: Vec<ObjectId>,
+    /// Objects by parent and lower-case name. Objects of different classes may share a name.
+    pub(crate) names: HashMap<NameKey, SmallVec<[ObjectId; 1]>>,
+    pub(crate) settings: Settings,
+    pub(crate) unit_systems: Vec<UnitSystem>,
+    pub(crate) dependencies: Dependencies,
+    pub(crate) history: History,
+}
+
+impl Default for Database {
+    fn default() -> Self {
+        Database {
+            objects: Vec::new(),
+            roots: Vec::new(),
+            names: HashMap::new(),
+            settings: Settings::default(),
+            unit_systems: vec![first_units()],
+            dependencies: Dependencies::default(),
+            history: History::default(),
+        }
+    }
+}
+
+impl Database {
+    // ---- reading ----
+
+    /// The object of a handle that is known to live.
+    pub fn object(&self, id: ObjectId) -> &Object {
+        self.get(id).expect("handle of a living object")
+    }
+
+    /// The object of a handle, if it still lives.
+    pub fn get(&self, id: ObjectId) -> Option<&Object> {
+        self.objects.get(id.0 as usize)?.as_deref()
+    }
+
+    /// Top-level objects in order of creation.
+    pub fn roots(&self) -> &[ObjectId] {
+        &self.roots
+    }
+
+    /// All living objects in order of creation.
+    pub fn ids(&self) -> impl Iterator<Item = ObjectId> + '_ {
+        self.objects.iter().enumerate().filter(|(_, o)| o.is_some()).map(|(i, _)| ObjectId(i as u32))
+    }
+
+    /// An object and everything below it, parents first, in order of creation.
+    pub fn subtree(&self, id: ObjectId) -> Vec<ObjectId> {
+        let mut found = vec![id];
+        let mut next = 0;
+        while next < found.len() {
+            found.extend(&self.object(found[next]).children);
+            next += 1;
+        }
+        found
+    }
+
+    /// Everything below `root` of a class or family, in order of creation of parents.
+    pub fn below(&self, root: ObjectId, wanted: &str) -> Vec<ObjectId> {
+        let mut found = self.subtree(root);
+        found.retain(|&id| id != root && self.object(id).class.is(wanted));
+        found
+    }
+
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The units in force.
+    pub fn units(&self) -> &UnitSystem {
+        &self.unit_systems[self.settings.units.0 as usize]
+    }
+
+    pub fn unit_system(&self, id: UnitsId) -> &UnitSystem {
+        &self.unit_systems[id.0 as usize]
+    }
+
+    /// Current default object of a class id or family.
+    pub fn current(&self, wanted: &str) -> Option<ObjectId> {
+        self.settings.current.get(wanted).copied().filter(|id| self.get(*id).is_some())
+    }
+
+    /// A cell by field name; `None` if unset or no such field.
+    pub fn cell(&self, id: ObjectId, name: &str) -> Option<&Cell> {
+        let object = self.object(id);
+        object.cells[object.class.cell_index(name)?].as_ref()
+    }
+
+    pub fn value(&self, id: ObjectId, name: &str) -> Option<&Value> {
+        self.cell(id, name).map(|c| &c.value)
+    }
+
+    /// A number in the units in force.
+    pub fn number(&self, id: ObjectId, name: &str) -> Option<f64> {
+        let object = self.object(id);
+        let index = object.class.cell_index(name)?;
+        let cell = object.cells[index].as_ref()?;
+        let x = cell.value.as_number()?;
+        Some(x * self.ratio(cell.units, object.class.field(index).dimension))
+    }
+
+    /// Numbers in the units in force.
+    pub fn numbers(&self, id: ObjectId, name: &str) -> Option<Vec<f64>> {
+        let object = self.object(id);
+        let index = object.class.cell_index(name)?;
+        let cell = object.cells[index].as_ref()?;
+        let ratio = self.ratio(cell.units, object.class.field(index).dimension);
+        let mut numbers = cell.value.as_numbers()?;
+        if ratio != 1.0 {
+            numbers.iter_mut().for_each(|x| *x *= ratio);
+        }
+        Some(numbers)
+    }
+
+    /// A number in SI (force in newton, angles in radians).
+    pub fn si(&self, id: ObjectId, name: &str) -> Option<f64> {
+        let index = self.object(id).class.cell_index(name)?;
+        let dimension = self.object(id).class.field(index).dimension;
+        Some(self.number(id, name)? * self.units().factor(dimension))
+    }
+
+    /// Numbers in SI.
+    pub fn si_numbers(&self, id: ObjectId, name: &str) -> Option<Vec<f64>> {
+        let index = self.object(id).class.cell_index(name)?;
+        let factor = self.units().factor(self.object(id).class.field(index).dimension);
+        Some(self.numbers(id, name)?.into_iter().map(|x| x * factor).collect())
+    }
+
+    pub fn text(&self, id: ObjectId, name: &str) -> Option<&str> {
+        self.value(id, name)?.as_text()
+    }
+
+    pub fn flag(&self, id: ObjectId, name: &str) -> Option<bool> {
+        match self.value(id, name)? {
+            Value::Flag(flag) => Some(*flag),
+            other => other.as_number().map(|x| x != 0.0),
+        }
+    }
+
+    pub fn integer(&self, id: ObjectId, name: &str) -> Option<i64> {
+        self.value(id, name)?.as_number().map(|x| x as i64)
+    }
+
+    /// The object a cell refers to, if it still lives.
+    pub fn reference(&self, id: ObjectId, name: &str) -> Option<ObjectId> {
+        self.value(id, name)?.as_object().filter(|o| self.get(*o).is_some())
+    }
+
+    /// Factor from entered units to the units in force; exactly 1 when they are the same.
+    fn ratio(&self, entered: UnitsId, dimension: Dimension) -> f64 {
+        if entered == self.settings.units || dimension == Dimension::NONE {
+            1.0
+        } else {
+            self.unit_system(entered).factor(dimension) / self.units().factor(dimension)
+        }
+    }
+
+    // ---- changing; every method records its inverse ----
+
+    /// Creates an object. Its cells are empty.
+    pub fn create(
+        &mut self,
+        class: &'static Class,
+        parent: Option<ObjectId>,
+        name: &str,
+    ) -> Result<ObjectId, NameTaken> {
+        if let Some(taken) = self.child_of_kind(parent, name, class) {
+            return Err(NameTaken(taken));
+        }
+        let id = ObjectId(self.objects.len() as u32);
+        self.objects.push(None);
+        let object =
+            Object { class, name: name.to_string(), parent, children: Vec::new(), cells: vec![None; class.cell_count()] };
+        let position = self.siblings(parent).len();
+        self.attach(id, Box::new(object), position);
+        self.record(Change::Created { id });
+        Ok(id)
+    }
+
+    /// Deletes an object and everything below it.
+    pub fn remove(&mut self, id: ObjectId) {
+        for child in self.subtree(id).into_iter().rev() {
+            let cells = self.object(child).cells.len();
+            for cell in 0..cells {
+                self.set_reads(CellKey::new(child, cell), Vec::new());
+            }
+            let (object, position) = self.detach(child);
+            self.record(Change::Removed { id: child, object, position });
+        }
+    }
+
+    /// Renames an object, possibly under another parent.
+    pub fn rename(&mut self, id: ObjectId, parent: Option<ObjectId>, name: &str) -> Result<(), NameTaken> {
+        if let Some(taken) = self.child_of_kind(parent, name, self.object(id).class).filter(|t| *t != id) {
+            return Err(NameTaken(taken));
+        }
+        let (old_name, old_parent, old_position) = self.swap_name(id, name.to_string(), parent, None);
+        self.record(Change::Named { id, old_name, old_parent, old_position });
+        Ok(())
+    }
+
+    /// Sets or clears a cell. What it reads is set apart, by [`Database::set_reads`].
+    pub fn set_cell(&mut self, key: CellKey, cell: Option<Cell>) {
+        let old = self.swap_cell(key, cell);
+        self.record(Change::Cell { key, old });
+    }
+
+    /// Sets a literal value in the units in force; no-op for a field the class does not have.
+    pub fn set_value(&mut self, id: ObjectId, name: &str, value: Value) {
+        if let Some(index) = self.object(id).class.cell_index(name) {
+            let key = CellKey::new(id, index);
+            let units = self.settings.units;
+            self.set_reads(key, Vec::new());
+            self.set_cell(key, Some(Cell { value, units, source: crate::Source::Literal }));
+        }
+    }
+
+    /// Changes settings through a closure.
+    pub fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
+        let old = self.settings.clone();
+        change(&mut self.settings);
+        if self.settings == old {
+            return;
+        }
+        self.record(Change::Settings { old: Box::new(old) });
+    }
+
+    /// Makes an object the current default of its class, its families and, for models and parts,
+    /// what bare names go under.
+    pub fn make_current(&mut self, id: ObjectId) {
+        let class = self.object(id).class;
+        let names: Vec<_> = std::iter::once(class.id).chain(class.families.iter().copied()).collect();
+        if names.iter().all(|n| self.settings.current.get(n) == Some(&id)) {
+            return;
+        }
+        self.change_settings(|s| {
+            for name in names {
+                s.current.insert(name, id);
+            }
+        });
+    }
+
+    /// Puts units in force. Values keep their physical meaning.
+    pub fn set_units(&mut self, units: UnitSystem) {
+        let known = self.unit_systems.iter().position(|u| *u == units);
+        let index = known.unwrap_or_else(|| {
+            self.unit_systems.push(units);
+            self.unit_systems.len() - 1
+        });
+        self.change_settings(|s| s.units = UnitsId(index as u16));
+    }
+
+    /// Runs a change that may fail; on failure everything it did is taken back.
+    pub fn transaction<T, E>(&mut self, change: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        let mark: Mark = self.mark();
+        let outcome = change(self);
+        if outcome.is_err() {
+            self.roll_back(mark);
+        }
+        outcome
+    }
+
+    // ---- primitives without record, used by undo ----
+
+    pub(crate) fn swap_cell(&mut self, key: CellKey, cell: Option<Cell>) -> Option<Cell> {
+        let object = self.objects[key.object.0 as usize].as_mut().expect("handle of a living object");
+        std::mem::replace(&mut object.cells[key.cell as usize], cell)
+    }
+
+    pub(crate) fn siblings(&mut self, parent: Option<ObjectId>) -> &mut Vec<ObjectId> {
+        match parent {
+            Some(p) => &mut self.objects[p.0 as usize].as_mut().expect("handle of a living object").children,
+            None => &mut self.roots,
+        }
+    }
+
+    pub(crate) fn attach(&mut self, id: ObjectId, object: Box<Object>, position: usize) {
+        self.names.entry(name_key(object.parent, &object.name)).or_default().push(id);
+        let siblings = self.siblings(object.parent);
+        let position = position.min(siblings.len());
+        siblings.insert(position, id);
+        self.objects[id.0 as usize] = Some(object);
+    }
+
+    pub(crate) fn detach(&mut self, id: ObjectId) -> (Box<Object>, usize) {
+        let object = self.objects[id.0 as usize].take().expect("handle of a living object");
+        self.forget_name(id, object.parent, &object.name);
+        let siblings = self.siblings(object.parent);
+        let position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
+        siblings.remove(position);
+        (object, position)
+    }
+
+    fn forget_name(&mut self, id: ObjectId, parent: Option<ObjectId>, name: &str) {
+        let key = name_key(parent, name);
+        if let Some(list) = self.names.get_mut(&key) {
+            list.retain(|o| *o != id);
+            if list.is_empty() {
+                self.names.remove(&key);
+            }
+        }
+    }
+
+    pub(crate) fn swap_name(
+        &mut self,
+        id: ObjectId,
+        name: String,
+        parent: Option<ObjectId>,
+        position: Option<usize>,
+    ) -> (String, Option<ObjectId>, usize) {
+        let (old_name, old_parent) = {
+            let object = self.object(id);
+            (object.name.clone(), object.parent)
+        };
+        self.forget_name(id, old_parent, &old_name);
+        let siblings = self.siblings(old_parent);
+        let old_position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
+        if old_parent != parent || position.is_some() {
+            siblings.remove(old_position);
+            let siblings = self.siblings(parent);
+            let position = position.unwrap_or(siblings.len()).min(siblings.len());
+            siblings.insert(position, id);
+        }
+        self.names.entry(name_key(parent, &name)).or_default().push(id);
+        let object = self.objects[id.0 as usize].as_mut().expect("handle of a living object");
+        object.name = name;
+        object.parent = parent;
+        (old_name, old_parent, old_position)
+    }
+}
+
+pub(crate) fn name_key(parent: Option<ObjectId>, name: &str) -> NameKey {
+    (parent, name.to_ascii_lowercase().into())
+}

@@ -1,0 +1,111 @@
+//! Full names, how names are looked up, and generated names.
+
+use schema::Class;
+
+use crate::{Database, ObjectId, database::name_key};
+
+impl Database {
+    /// Full name with a leading dot; names that need quotes are quoted.
+    pub fn full_name(&self, id: ObjectId) -> String {
+        let mut names = Vec::new();
+        let mut next = Some(id);
+        while let Some(object) = next.and_then(|o| self.get(o)) {
+            names.push(quoted(&object.name));
+            next = object.parent;
+        }
+        names.reverse();
+        format!(".{}", names.join("."))
+    }
+
+    /// Children of a parent (or top-level objects) with a name, ignoring case.
+    pub fn children_named(&self, parent: Option<ObjectId>, name: &str) -> &[ObjectId] {
+        self.names.get(&name_key(parent, name)).map_or(&[], |l| l.as_slice())
+    }
+
+    /// A child of a parent with a name that is of the wanted class or family.
+    pub fn child(&self, parent: Option<ObjectId>, name: &str, wanted: &str) -> Option<ObjectId> {
+        self.children_named(parent, name).iter().copied().find(|&c| self.object(c).class.is(wanted))
+    }
+
+    /// A child of the kind that would clash with a new object of `class`: same word in messages.
+    pub(crate) fn child_of_kind(&self, parent: Option<ObjectId>, name: &str, class: &Class) -> Option<ObjectId> {
+        self.children_named(parent, name).iter().copied().find(|&c| self.object(c).class.word == class.word)
+    }
+
+    /// Finds an existing object by full name (`.model.part.marker`). Only the last step must be of
+    /// the wanted class or family.
+    pub fn find(&self, full_name: &str, wanted: &str) -> Option<ObjectId> {
+        let steps = split_name(full_name.strip_prefix('.')?);
+        self.descend(None, &steps, wanted)
+    }
+
+    /// Follows name steps down from a parent, trying every object that shares a step's name.
+    pub fn descend(&self, from: Option<ObjectId>, steps: &[String], wanted: &str) -> Option<ObjectId> {
+        let (first, rest) = steps.split_first()?;
+        if rest.is_empty() {
+            return self.child(from, first, wanted);
+        }
+        self.children_named(from, first).iter().find_map(|&c| self.descend(Some(c), rest, wanted))
+    }
+
+    /// The model an object belongs to.
+    pub fn model_of(&self, id: ObjectId) -> Option<ObjectId> {
+        let mut next = Some(id);
+        while let Some(object) = next {
+            if self.object(object).class.id == "model" {
+                return Some(object);
+            }
+            next = self.object(object).parent;
+        }
+        None
+    }
+
+    /// A free generated name for a class below a parent: the class prefix and the smallest number
+    /// above those in use.
+    pub fn generated_name(&self, class: &Class, parent: Option<ObjectId>, prefix: &str) -> String {
+        let scope = parent.and_then(|p| self.model_of(p)).or(parent);
+        let used = match scope {
+            Some(scope) => self.subtree(scope),
+            None => self.roots.clone(),
+        };
+        let highest = used
+            .into_iter()
+            .filter_map(|id| {
+                let object = self.object(id);
+                if object.class.word != class.word {
+                    return None;
+                }
+                let name = object.name.as_str();
+                let head = name.get(..prefix.len())?;
+                if !head.eq_ignore_ascii_case(prefix) {
+                    return None;
+                }
+                name[prefix.len()..].parse::<u64>().ok()
+            })
+            .max()
+            .unwrap_or(if class.word == "Part" { 1 } else { 0 });
+        format!("{prefix}{}", highest + 1)
+    }
+}
+
+/// A name as it must be typed: quoted when it is not letters, digits and underscores or starts
+/// with a digit.
+pub fn quoted(name: &str) -> String {
+    let plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if plain { name.to_string() } else { format!("\"{name}\"") }
+}
+
+/// Splits `part."odd name".marker` at the dots outside quotes and removes the quotes.
+pub fn split_name(name: &str) -> Vec<String> {
+    let (mut steps, mut step, mut inside) = (Vec::new(), String::new(), false);
+    for c in name.chars() {
+        match c {
+            '"' => inside = !inside,
+            '.' if !inside => steps.push(std::mem::take(&mut step)),
+            _ => step.push(c),
+        }
+    }
+    steps.push(step);
+    steps
+}

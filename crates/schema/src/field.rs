@@ -1,0 +1,262 @@
+//! One parameter of a command, which is also one cell of an object.
+
+use crate::Dimension;
+
+/// How object names in a field are to be understood.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Names {
+    /// The object must exist.
+    Old,
+    /// The object must not exist; it is created.
+    New,
+    /// Either; it is created if missing.
+    OldOrNew,
+}
+
+/// The type of a field's value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Name of the object the command is about or refers to; the string is a class id or a family
+    /// (`"marker"`, `"part"`, `"body"`, `"force"`, `"frame"`, `"any"`).
+    Object(Names, &'static str),
+    Integer,
+    Real,
+    /// One of two words; the first means true (`yes`/`no`, `on`/`off`, `true`/`false`).
+    Boolean(&'static str, &'static str),
+    /// One of several words, abbreviated to a unique prefix; stored as the full word.
+    Choice(&'static [&'static str]),
+    Text,
+    /// Run-time function text, possibly given as several strings that are joined.
+    Function,
+    /// Three coordinates in the current coordinate system, converted to the frame of the owner.
+    Location,
+    /// Three angles in the current sequence, stored as body 3-1-3 in the frame of the owner.
+    Orientation,
+    /// Path of a file.
+    File,
+    /// Any value or expression: variables, conditions.
+    Any,
+}
+
+/// How many values a field takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    pub least: usize,
+    pub most: usize,
+}
+
+impl Count {
+    pub const ONE: Count = Count { least: 1, most: 1 };
+    pub const MANY: Count = Count { least: 1, most: usize::MAX };
+    pub const fn exactly(n: usize) -> Count {
+        Count { least: n, most: n }
+    }
+    pub const fn between(least: usize, most: usize) -> Count {
+        Count { least, most }
+    }
+}
+
+/// What holds when the field is not given on `create`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// Stays unset.
+    None,
+    /// A number in the current units.
+    Number(f64),
+    /// A word or text.
+    Word(&'static str),
+    /// The current default object of the field's class; a name given becomes the default.
+    Current,
+    /// The default coordinate system.
+    CoordinateSystem,
+    /// Generated: prefix and number.
+    Generated,
+}
+
+/// Bounds of a number, checked when it is lowered or verified, not when it is typed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    None,
+    Above(f64),
+    AtLeast(f64),
+}
+
+/// In which of the two commands of a group the field is a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Use {
+    Both,
+    Create,
+    Modify,
+}
+
+/// One parameter of a command. Build with the constructors and the chained setters, all `const`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub dimension: Dimension,
+    pub count: Count,
+    pub default: Default,
+    pub limit: Limit,
+    pub required: bool,
+    pub usage: Use,
+    /// Name of the argument of the solver statement, where there is one (`EMODULUS`).
+    pub keyword: Option<&'static str>,
+    /// One sentence of our own, lower case, no full stop.
+    pub doc: &'static str,
+}
+
+impl Field {
+    pub const fn new(name: &'static str, kind: Kind) -> Field {
+        Field {
+            name,
+            kind,
+            dimension: Dimension::NONE,
+            count: Count::ONE,
+            default: Default::None,
+            limit: Limit::None,
+            required: false,
+            usage: Use::Both,
+            keyword: None,
+            doc: "",
+        }
+    }
+
+    /// Reference to an existing object of a class or family.
+    pub const fn object(name: &'static str, class: &'static str) -> Field {
+        Field::new(name, Kind::Object(Names::Old, class))
+    }
+
+    /// References to existing objects; wildcards are allowed.
+    pub const fn objects(name: &'static str, class: &'static str) -> Field {
+        Field::object(name, class).many()
+    }
+
+    pub const fn real(name: &'static str, dimension: Dimension) -> Field {
+        let mut field = Field::new(name, Kind::Real);
+        field.dimension = dimension;
+        field
+    }
+
+    pub const fn reals(name: &'static str, count: usize) -> Field {
+        Field::new(name, Kind::Real).count(Count::exactly(count))
+    }
+
+    pub const fn integer(name: &'static str) -> Field {
+        Field::new(name, Kind::Integer)
+    }
+
+    pub const fn text(name: &'static str) -> Field {
+        Field::new(name, Kind::Text)
+    }
+
+    pub const fn texts(name: &'static str) -> Field {
+        Field::new(name, Kind::Text).many()
+    }
+
+    pub const fn function(name: &'static str) -> Field {
+        Field::new(name, Kind::Function)
+    }
+
+    pub const fn choice(name: &'static str, words: &'static [&'static str]) -> Field {
+        Field::new(name, Kind::Choice(words))
+    }
+
+    pub const fn yes_no(name: &'static str) -> Field {
+        Field::new(name, Kind::Boolean("yes", "no"))
+    }
+
+    pub const fn on_off(name: &'static str) -> Field {
+        Field::new(name, Kind::Boolean("on", "off"))
+    }
+
+    pub const fn true_false(name: &'static str) -> Field {
+        Field::new(name, Kind::Boolean("true", "false"))
+    }
+
+    /// Three coordinates.
+    pub const fn location(name: &'static str) -> Field {
+        let mut field = Field::new(name, Kind::Location).count(Count::exactly(3));
+        field.dimension = Dimension::LENGTH;
+        field
+    }
+
+    /// Three angles.
+    pub const fn orientation(name: &'static str) -> Field {
+        let mut field = Field::new(name, Kind::Orientation).count(Count::exactly(3));
+        field.dimension = Dimension::ANGLE;
+        field
+    }
+
+    pub const fn many(self) -> Field {
+        self.count(Count::MANY)
+    }
+
+    pub const fn count(mut self, count: Count) -> Field {
+        self.count = count;
+        self
+    }
+
+    pub const fn dimension(mut self, dimension: Dimension) -> Field {
+        self.dimension = dimension;
+        self
+    }
+
+    pub const fn default(mut self, value: f64) -> Field {
+        self.default = Default::Number(value);
+        self
+    }
+
+    pub const fn default_word(mut self, word: &'static str) -> Field {
+        self.default = Default::Word(word);
+        self
+    }
+
+    /// The current default object stands in; a name given becomes the default.
+    pub const fn current(mut self) -> Field {
+        self.default = Default::Current;
+        self
+    }
+
+    pub const fn or_default_coordinate_system(mut self) -> Field {
+        self.default = Default::CoordinateSystem;
+        self
+    }
+
+    pub const fn above(mut self, limit: f64) -> Field {
+        self.limit = Limit::Above(limit);
+        self
+    }
+
+    pub const fn at_least(mut self, limit: f64) -> Field {
+        self.limit = Limit::AtLeast(limit);
+        self
+    }
+
+    pub const fn required(mut self) -> Field {
+        self.required = true;
+        self
+    }
+
+    /// A parameter of the create command only.
+    pub const fn on_create(mut self) -> Field {
+        self.usage = Use::Create;
+        self
+    }
+
+    /// A parameter of the modify command only.
+    pub const fn on_modify(mut self) -> Field {
+        self.usage = Use::Modify;
+        self
+    }
+
+    pub const fn keyword(mut self, keyword: &'static str) -> Field {
+        self.keyword = Some(keyword);
+        self
+    }
+
+    pub const fn doc(mut self, doc: &'static str) -> Field {
+        self.doc = doc;
+        self
+    }
+}

@@ -1,0 +1,5 @@
+//! The grammar of run-time functions: `STEP(TIME, 0, 0D, 1, 90D) * VX(.m.p.a, .m.p.b)`.
+
+mod tree;
+
+pub use tree::{FunctionExpression, FunctionKind, FunctionOperator};

@@ -1,0 +1,128 @@
+//! The store of source files and the spans that point into them.
+
+/// Index of a file in [`Sources`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct FileId(pub u32);
+
+/// Half-open byte range `start..end` of one file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Span {
+    pub file: FileId,
+    pub start: u32,
+    pub end: u32,
+}
+
+impl Span {
+    pub fn new(file: FileId, start: usize, end: usize) -> Self {
+        Span { file, start: start as u32, end: end as u32 }
+    }
+
+    /// The smallest span that covers both.
+    #[must_use]
+    pub fn to(self, other: Span) -> Span {
+        debug_assert_eq!(self.file, other.file, "a span covers one file");
+        Span { file: self.file, start: self.start.min(other.start), end: self.end.max(other.end) }
+    }
+
+    pub fn range(self) -> std::ops::Range<usize> {
+        self.start as usize..self.end as usize
+    }
+
+    pub fn is_empty(self) -> bool {
+        self.start == self.end
+    }
+}
+
+/// Line and column, both counted from 1; columns count characters, not bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineColumn {
+    pub line: usize,
+    pub column: usize,
+}
+
+#[derive(Debug)]
+struct SourceFile {
+    name: String,
+    text: String,
+    line_starts: Vec<u32>,
+}
+
+/// All texts read in this session: files, command lines typed, macros.
+#[derive(Debug, Default)]
+pub struct Sources {
+    files: Vec<SourceFile>,
+}
+
+impl Sources {
+    /// Adds a text under a display name (a path, `<command line>`, ...).
+    pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
+        let text = text.into();
+        let mut line_starts = vec![0];
+        line_starts.extend(text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1));
+        self.files.push(SourceFile { name: name.into(), text, line_starts });
+        FileId(self.files.len() as u32 - 1)
+    }
+
+    /// Adds bytes as UTF-8 or, where they are not, as Windows code page 1252 (what old Adams
+    /// exports are written in).
+    pub fn add_bytes(&mut self, name: impl Into<String>, bytes: Vec<u8>) -> FileId {
+        let text = String::from_utf8(bytes)
+            .unwrap_or_else(|e| e.into_bytes().iter().map(|&b| windows_1252(b)).collect());
+        self.add(name, text)
+    }
+
+    pub fn name(&self, file: FileId) -> &str {
+        &self.files[file.0 as usize].name
+    }
+
+    pub fn text(&self, file: FileId) -> &str {
+        &self.files[file.0 as usize].text
+    }
+
+    /// The text a span covers.
+    pub fn slice(&self, span: Span) -> &str {
+        &self.text(span.file)[span.range()]
+    }
+
+    pub fn line_column(&self, file: FileId, offset: u32) -> LineColumn {
+        let file = &self.files[file.0 as usize];
+        let line = file.line_starts.partition_point(|&start| start <= offset) - 1;
+        let start = file.line_starts[line] as usize;
+        let end = (offset as usize).min(file.text.len());
+        let column = file.text.get(start..end).map_or(end - start, |t| t.chars().count()) + 1;
+        LineColumn { line: line + 1, column }
+    }
+}
+
+/// The character of a byte in Windows code page 1252; undefined bytes map to themselves.
+fn windows_1252(byte: u8) -> char {
+    const HIGH: [char; 32] = [
+        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
+        '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+    ];
+    match byte {
+        0x80..=0x9f => HIGH[(byte - 0x80) as usize],
+        _ => char::from(byte),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_count_lines_and_characters_from_one() {
+        let mut sources = Sources::default();
+        let file = sources.add("a.cmd", "é = 1\nab\n");
+        assert_eq!(sources.line_column(file, 0), LineColumn { line: 1, column: 1 });
+        assert_eq!(sources.line_column(file, 3), LineColumn { line: 1, column: 3 });
+        assert_eq!(sources.line_column(file, 8), LineColumn { line: 2, column: 2 });
+    }
+
+    #[test]
+    fn bytes_that_are_not_utf8_are_read_as_code_page_1252() {
+        let mut sources = Sources::default();
+        let file = sources.add_bytes("a.cmd", vec![b'!', 0xe4, 0x80]);
+        assert_eq!(sources.text(file), "!ä€");
+    }
+}
