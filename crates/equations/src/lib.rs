@@ -7,5 +7,5 @@
 mod sockets;
 mod state;
 
-pub use sockets::{skew, Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent};
+pub use sockets::{Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
 pub use state::{Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};

@@ -211,8 +211,13 @@ impl Database {
         }
         let id = ObjectId(self.objects.len() as u32);
         self.objects.push(None);
-        let object =
-            Object { class, name: name.to_string(), parent, children: Vec::new(), cells: vec![None; class.cell_count()] };
+        let object = Object {
+            class,
+            name: name.to_string(),
+            parent,
+            children: Vec::new(),
+            cells: vec![None; class.cell_count()],
+        };
         let position = self.siblings(parent).len();
         self.attach(id, Box::new(object), position);
         self.record(Change::Created { id });

@@ -33,7 +33,11 @@ pub enum BinaryOperator {
 pub enum Node {
     /// A number as typed; `text` keeps its digits, `unit` the unit expression behind it
     /// (`inch`, `(kg/meter**3)`, `d`).
-    Number { value: f64, text: Box<str>, unit: Option<Box<str>> },
+    Number {
+        value: f64,
+        text: Box<str>,
+        unit: Option<Box<str>>,
+    },
     Text(String),
     /// `(none)`.
     Nothing,
@@ -44,7 +48,10 @@ pub enum Node {
     Attribute(Box<Node>, String),
     /// `name[i]`, from 1.
     Index(Box<Node>, Vec<Node>),
-    Call { function: Box<str>, arguments: Vec<Node> },
+    Call {
+        function: Box<str>,
+        arguments: Vec<Node>,
+    },
     Unary(UnaryOperator, Box<Node>),
     Binary(BinaryOperator, Box<Node>, Box<Node>),
     Conditional(Box<Node>, Box<Node>, Box<Node>),

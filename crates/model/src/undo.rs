@@ -124,9 +124,7 @@ impl Database {
                 let (name, parent, position) = self.swap_name(id, old_name, old_parent, Some(old_position));
                 Change::Named { id, old_name: name, old_parent: parent, old_position: position }
             }
-            Change::Settings { old } => {
-                Change::Settings { old: Box::new(std::mem::replace(&mut self.settings, *old)) }
-            }
+            Change::Settings { old } => Change::Settings { old: Box::new(std::mem::replace(&mut self.settings, *old)) },
             Change::Reads { cell, old } => Change::Reads { cell, old: self.dependencies.replace(cell, old) },
         }
     }

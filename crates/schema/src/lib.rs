@@ -11,6 +11,4 @@ mod units;
 
 pub use class::{Class, Group, Registry, Rule, Verb};
 pub use field::{Count, Default, Field, Kind, Limit, Names, Use};
-pub use units::{
-    Dimension, Quantity, UnitName, UnitSystem, UnitTable, parse_unit_expression, unit_table,
-};
+pub use units::{Dimension, Quantity, UnitName, UnitSystem, UnitTable, parse_unit_expression, unit_table};

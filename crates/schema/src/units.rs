@@ -208,9 +208,10 @@ pub fn unit_table() -> UnitTable {
 impl UnitName {
     /// The unit a word names, by full name or symbol, ignoring case.
     pub fn find(word: &str) -> Option<&'static UnitName> {
-        UNITS.iter().find(|u| u.name.eq_ignore_ascii_case(word)).or_else(|| {
-            UNITS.iter().find(|u| u.symbols.iter().any(|s| s.eq_ignore_ascii_case(word)))
-        })
+        UNITS
+            .iter()
+            .find(|u| u.name.eq_ignore_ascii_case(word))
+            .or_else(|| UNITS.iter().find(|u| u.symbols.iter().any(|s| s.eq_ignore_ascii_case(word))))
     }
 }
 
@@ -272,9 +273,7 @@ impl UnitSystem {
         force: &'a str,
         angle: &'a str,
     ) -> Result<UnitSystem, &'a str> {
-        let find = |word: &'a str, dimension| {
-            UnitName::find(word).filter(|u| u.dimension == dimension).ok_or(word)
-        };
+        let find = |word: &'a str, dimension| UnitName::find(word).filter(|u| u.dimension == dimension).ok_or(word);
         Ok(UnitSystem {
             length: find(length, L)?,
             mass: find(mass, M)?,
@@ -311,9 +310,8 @@ impl UnitSystem {
 
     /// force * UCF = mass * acceleration.
     pub fn consistency_factor(&self) -> f64 {
-        self.consistency_factor.unwrap_or_else(|| {
-            self.force.si / (self.mass.si * self.length.si / (self.time.si * self.time.si))
-        })
+        self.consistency_factor
+            .unwrap_or_else(|| self.force.si / (self.mass.si * self.length.si / (self.time.si * self.time.si)))
     }
 
     /// Text of the unit of a dimension: `newton/mm**2`; empty without dimension.

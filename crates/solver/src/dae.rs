@@ -82,11 +82,7 @@ pub trait Dae {
     /// ```
     ///
     /// `K` includes the derivative of `B^T lambda` and of `M a`.
-    fn jacobian(
-        &mut self,
-        at: JacobianPoint<'_>,
-        add: &mut dyn FnMut(usize, usize, &[f64]),
-    ) -> Result<(), Evaluation>;
+    fn jacobian(&mut self, at: JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) -> Result<(), Evaluation>;
 
     /// Name of the unknown or equation, for messages: `.model.part translation x`,
     /// `.model.JOINT_1 Zi.Xj`.

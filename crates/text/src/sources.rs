@@ -66,8 +66,8 @@ impl Sources {
     /// Adds bytes as UTF-8 or, where they are not, as Windows code page 1252 (what old Adams
     /// exports are written in).
     pub fn add_bytes(&mut self, name: impl Into<String>, bytes: Vec<u8>) -> FileId {
-        let text = String::from_utf8(bytes)
-            .unwrap_or_else(|e| e.into_bytes().iter().map(|&b| windows_1252(b)).collect());
+        let text =
+            String::from_utf8(bytes).unwrap_or_else(|e| e.into_bytes().iter().map(|&b| windows_1252(b)).collect());
         self.add(name, text)
     }
 

@@ -85,12 +85,19 @@ pub enum BinaryOperator {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExpressionKind {
     /// `6inch`, `7801.0(kg/meter**3)`, `90d`: value as typed and the unit text without parentheses.
-    Number { value: f64, unit: Option<Box<str>> },
+    Number {
+        value: f64,
+        unit: Option<Box<str>>,
+    },
     Text(String),
     /// A name with its dots and quotes as typed: `.model.part."odd one".location`, `PI`, `part.cm`.
     Name(String),
     /// `f(a, b)`.
-    Call { function: String, function_span: Span, arguments: Vec<Expression> },
+    Call {
+        function: String,
+        function_span: Span,
+        arguments: Vec<Expression>,
+    },
     /// `a[i]`, `a[i, j]`.
     Index(Box<Expression>, Vec<Expression>),
     /// `.name` behind a closing parenthesis or bracket: `STOO("x").adams_id`.

@@ -24,7 +24,11 @@ pub enum FunctionKind {
     /// TIME, PI, DTOR, RTOD, MODE or an object name used as an argument.
     Name(String),
     /// `f(a, b)`; `IF(e: a, b, c)` is a call of `IF` with four arguments.
-    Call { function: String, function_span: Span, arguments: Vec<FunctionExpression> },
+    Call {
+        function: String,
+        function_span: Span,
+        arguments: Vec<FunctionExpression>,
+    },
     Negate(Box<FunctionExpression>),
     Binary(FunctionOperator, Box<FunctionExpression>, Box<FunctionExpression>),
     Broken,
