@@ -1,6 +1,13 @@
 //! Named series with units, their file formats and plots. How a series was computed is not known
 //! here.
 
+mod compare;
+pub mod csv;
+mod picture;
+mod plot;
 mod table;
 
+pub use compare::{Difference, compare};
+pub use picture::{PictureRequest, Polyline, picture};
+pub use plot::{Format, PlotError, PlotRequest, plot};
 pub use table::{Series, Table};
