@@ -1,1 +1,14 @@
-//! (see ARCHITECTURE.md)
+//! The shelf of elements: one folder for each kind of object a model may hold. The registry names
+//! them; what they share in their schemas is in [`common`] and [`attributes`].
+
+pub mod attributes;
+pub mod bodies;
+pub mod common;
+pub mod data;
+pub mod forces;
+pub mod geometry;
+pub mod joints;
+pub mod output;
+mod registry;
+
+pub use registry::registry;

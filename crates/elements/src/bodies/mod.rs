@@ -1,0 +1,9 @@
+//! What has a place: models, bodies and the frames in them.
+
+pub mod ground;
+pub mod marker;
+pub mod model;
+pub mod part;
+pub mod point;
+pub mod point_mass;
+pub mod rigid_body;

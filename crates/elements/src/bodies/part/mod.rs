@@ -1,0 +1,4 @@
+//! A rigid part: mass, and the frame in which its markers are placed.
+
+pub mod schema;
+pub use schema::CLASS;

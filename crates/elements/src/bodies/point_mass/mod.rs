@@ -1,0 +1,4 @@
+//! A point mass: a body without rotation.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A group of objects.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,5 @@
+//! Objects that hold values for others.
+
+pub mod group;
+pub mod material;
+pub mod variable;

@@ -1,0 +1,4 @@
+//! A force along a line, or a torque about an axis, given by a function.
+
+pub mod schema;
+pub use schema::CLASS;

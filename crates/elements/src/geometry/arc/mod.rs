@@ -1,0 +1,4 @@
+//! An arc.
+
+pub mod schema;
+pub use schema::CLASS;

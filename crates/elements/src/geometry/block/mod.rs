@@ -1,0 +1,4 @@
+//! A block.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A circle.
+
+pub mod schema;
+pub use schema::CLASS;

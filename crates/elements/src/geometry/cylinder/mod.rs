@@ -1,0 +1,4 @@
+//! A cylinder.
+
+pub mod schema;
+pub use schema::CLASS;

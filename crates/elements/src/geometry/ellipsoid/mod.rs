@@ -1,0 +1,4 @@
+//! An ellipsoid.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A frustum.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A link.
+
+pub mod schema;
+pub use schema::CLASS;

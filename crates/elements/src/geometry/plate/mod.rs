@@ -1,0 +1,4 @@
+//! A plate.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A polyline.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! The symbol of a spring with a damper between two markers.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A torus.
+
+pub mod schema;
+pub use schema::CLASS;

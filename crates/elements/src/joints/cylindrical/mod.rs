@@ -1,0 +1,4 @@
+//! A cylindrical joint: I slides along and turns about z of J.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A fixed joint: two markers stay one.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A Hooke joint: a universal joint given by its shafts.
+
+pub mod schema;
+pub use schema::CLASS;

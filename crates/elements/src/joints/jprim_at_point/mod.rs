@@ -1,0 +1,4 @@
+//! The primitive joint that keeps two origins together.
+
+pub mod schema;
+pub use schema::CLASS;

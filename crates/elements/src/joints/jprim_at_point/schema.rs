@@ -1,0 +1,25 @@
+//! Names, types, units and defaults of the primitive joint at_point.
+
+use schema::{Class, Group};
+
+use crate::{attributes, common};
+
+pub const CLASS: Class = Class {
+    id: "jprim_at_point",
+    word: "Joint_Primitive",
+    families: &["primitive_joint", "constraint"],
+    parents: &["model"],
+    prefix: "JPRIM_",
+    statement: Some("JPRIM"),
+    groups: &[
+        Group {
+            command: "constraint create primitive_joint at_point",
+            creates: true,
+            object: "jprim_name",
+            fields: common::BETWEEN_MARKERS,
+            rules: common::MARKERS_OR_PARTS,
+            doc: "keeps two origins together",
+        },
+        attributes::CONSTRAINT,
+    ],
+};

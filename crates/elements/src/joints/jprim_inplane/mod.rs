@@ -1,0 +1,4 @@
+//! The primitive joint that keeps a point in a plane.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! The primitive joint that keeps axes parallel.
+
+pub mod schema;
+pub use schema::CLASS;

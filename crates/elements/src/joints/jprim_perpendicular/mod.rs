@@ -1,0 +1,4 @@
+//! The primitive joint that keeps two axes perpendicular.
+
+pub mod schema;
+pub use schema::CLASS;

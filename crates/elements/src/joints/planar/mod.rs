@@ -1,0 +1,4 @@
+//! A planar joint: I slides in the xy plane of J.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A revolute joint: I turns about z of J.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A translational joint: I slides along z of J.
+
+pub mod schema;
+pub use schema::CLASS;

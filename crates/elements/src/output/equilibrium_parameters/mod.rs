@@ -1,0 +1,4 @@
+//! The settings of static equilibrium.
+
+pub mod schema;
+pub use schema::CLASS;

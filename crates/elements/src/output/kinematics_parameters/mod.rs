@@ -1,0 +1,4 @@
+//! The settings of kinematic analysis.
+
+pub mod schema;
+pub use schema::CLASS;

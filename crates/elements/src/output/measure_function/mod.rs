@@ -1,0 +1,4 @@
+//! A measure of a function of time and state.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A measure of the motion of one marker as seen from another.
+
+pub mod schema;
+pub use schema::CLASS;

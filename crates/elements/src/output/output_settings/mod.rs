@@ -1,0 +1,4 @@
+//! The settings of printed output.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! The preferences of the solver.
+
+pub mod schema;
+pub use schema::CLASS;

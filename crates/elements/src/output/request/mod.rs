@@ -1,0 +1,4 @@
+//! A request: what is recorded during a run.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! The settings of the results file.
+
+pub mod schema;
+pub use schema::CLASS;
