@@ -45,4 +45,8 @@ pub trait Resolver {
     fn marker(&mut self, name: &str) -> Result<u32, String>;
     /// Number of an element that a load function (`BEAM`, `JOINT`, ...) names.
     fn element(&mut self, function: &str, name: &str) -> Result<u32, String>;
+    /// Value of a name that stands where a number is wanted: a design variable. None by default.
+    fn number(&mut self, name: &str) -> Result<f64, String> {
+        Err(format!("`{name}` is not a number, a constant or a function"))
+    }
 }
