@@ -2,6 +2,13 @@
 
 mod tree;
 
+mod comments;
+mod cursor;
+mod expression;
+mod parser;
+
+pub use comments::{Comment, Comments, comments};
+pub use parser::{Parser, parse, parse_expression};
 pub use tree::{
     Argument, BinaryOperator, Expression, ExpressionKind, Item, ItemKind, Statement, StatementKind, UnaryOperator,
 };
