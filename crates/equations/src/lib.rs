@@ -4,8 +4,27 @@
 //! Notation: `quantity _ from-to _ expressed-in`; `g` ground, `b` body frame at the centre of
 //! mass, `i` and `j` an element's two markers. `r_ji_g` is the position of I from J in ground axes.
 
-mod sockets;
 mod state;
 
+mod sockets;
+
+mod gradient;
+mod matrix;
+mod relative;
+mod scalar;
+
+pub mod constraints;
+pub mod measures;
+
+pub mod layout;
+mod pipeline;
+mod system;
+
+pub use gradient::{FrameCotangent, Gradient};
+pub use relative::{
+    Relative, apply_between, apply_following, load_of_reaction, relative, tangent_between, tangent_following,
+};
+pub use scalar::{ScalarAction, apply_scalar, scalar_load, tangent_gradient, tangent_scalar};
 pub use sockets::{Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
-pub use state::{Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};
+pub use state::{Axis, Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};
+pub use system::{EquationRow, System};

@@ -75,6 +75,35 @@ pub struct ConstraintRows {
     pub blocks: Vec<(BodyId, Vec<[f64; 6]>)>,
 }
 
+impl ConstraintRows {
+    /// Zero rows for a constraint, in the shape that [`Constraint::jacobian`] is given.
+    pub fn for_constraint(constraint: &dyn Constraint) -> Self {
+        let equations = constraint.equations();
+        Self { blocks: constraint.bodies().into_iter().map(|body| (body, vec![[0.0; 6]; equations])).collect() }
+    }
+
+    pub fn clear(&mut self) {
+        for (_, rows) in &mut self.blocks {
+            rows.fill([0.0; 6]);
+        }
+    }
+
+    /// Adds to the row of an equation; what concerns ground is dropped.
+    pub fn add(&mut self, body: BodyId, equation: usize, values: &[f64; 6]) {
+        for (owner, rows) in &mut self.blocks {
+            if *owner == body {
+                if let Some(row) = rows.get_mut(equation) {
+                    for (sum, value) in row.iter_mut().zip(values) {
+                        *sum += value;
+                    }
+                }
+                return;
+            }
+        }
+        debug_assert!(body == crate::GROUND, "a constraint has a row for a body it did not announce");
+    }
+}
+
 /// An element that adds equations `Phi(t, q) = 0`.
 pub trait Constraint: Send + Sync {
     fn name(&self) -> &str;
@@ -87,7 +116,8 @@ pub trait Constraint: Send + Sync {
     fn equation_name(&self, equation: usize) -> (String, String);
     fn bodies(&self) -> Vec<BodyId>;
     fn residual(&self, state: &State, phi: &mut [f64]) -> Result<(), Evaluation>;
-    /// `B`, with exactly the blocks of [`Constraint::bodies`] in that order.
+    /// `B`, with exactly the blocks of [`Constraint::bodies`] in that order. `rows` comes with
+    /// these blocks, [`Constraint::equations`] rows each, all zero.
     fn jacobian(&self, state: &State, rows: &mut ConstraintRows) -> Result<(), Evaluation>;
     /// `Phi_t`: zero unless the constraint is driven.
     fn velocity(&self, _state: &State, phi_t: &mut [f64]) {
@@ -101,6 +131,10 @@ pub trait Constraint: Send + Sync {
     /// Load on the body of the I or J marker, at that marker's origin, from multipliers.
     fn load_at(&self, state: &State, lambda: &[f64], side: Side) -> FrameLoad;
     fn frame(&self, side: Side) -> Option<FrameId>;
+    /// Troubles with the present state, as in [`Force::concern`]: axes that point opposite ways.
+    fn concern(&self, _state: &State) -> Option<(&'static str, f64)> {
+        None
+    }
 }
 
 /// Skew matrix: `skew(a) * b = a x b`.

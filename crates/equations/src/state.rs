@@ -13,6 +13,35 @@ pub const GROUND: BodyId = BodyId(u32::MAX);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FrameId(pub u32);
 
+/// One axis of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    pub fn index(self) -> usize {
+        match self {
+            Axis::X => 0,
+            Axis::Y => 1,
+            Axis::Z => 2,
+        }
+    }
+
+    /// `X`, `Y` or `Z`.
+    pub fn letter(self) -> char {
+        match self {
+            Axis::X => 'X',
+            Axis::Y => 'Y',
+            Axis::Z => 'Z',
+        }
+    }
+}
+
 /// A rigid part or a point mass. The body frame has its origin at the centre of mass.
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -73,6 +102,25 @@ pub struct FrameMotion {
     pub alpha_gi_g: DVec3,
 }
 
+impl FrameMotion {
+    /// Unit vector of one of the frame's axes, ground axes.
+    pub fn axis(&self, axis: Axis) -> DVec3 {
+        self.rot_gi.col(axis.index())
+    }
+
+    /// The ground frame: at rest at the origin.
+    pub const GLOBAL: FrameMotion = FrameMotion {
+        body: GROUND,
+        r_bi_g: DVec3::ZERO,
+        r_gi_g: DVec3::ZERO,
+        rot_gi: DMat3::IDENTITY,
+        v_gi_g: DVec3::ZERO,
+        w_gi_g: DVec3::ZERO,
+        a_gi_g: DVec3::ZERO,
+        alpha_gi_g: DVec3::ZERO,
+    };
+}
+
 /// Everything elements may look at during one evaluation. Built by the pipeline before elements
 /// are asked; indexing is all it takes.
 #[derive(Clone, Debug, Default)]
@@ -94,5 +142,15 @@ impl State {
 
     pub fn body(&self, id: BodyId) -> Option<&BodyMotion> {
         self.bodies.get(id.0 as usize)
+    }
+
+    /// Motion of a frame, of the ground frame if none is given.
+    pub fn frame_or_global(&self, id: Option<FrameId>) -> &FrameMotion {
+        id.map_or(&FrameMotion::GLOBAL, |id| self.frame(id))
+    }
+
+    /// Rotation matrix of a body, body to ground; identity for ground.
+    pub fn rotation(&self, id: BodyId) -> DMat3 {
+        self.rotations.get(id.0 as usize).copied().unwrap_or(DMat3::IDENTITY)
     }
 }
