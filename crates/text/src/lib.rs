@@ -4,7 +4,11 @@
 //! [`Diagnostic`] says what is wrong where. Nothing here knows a grammar.
 
 mod diagnostic;
+pub mod render;
 mod sources;
+mod suggest;
 
 pub use diagnostic::{Diagnostic, Fix, Help, Label, Severity};
+pub use render::{Format, one_line, render, use_colours};
 pub use sources::{FileId, LineColumn, Sources, Span};
+pub use suggest::suggest;

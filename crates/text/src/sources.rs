@@ -84,6 +84,16 @@ impl Sources {
         &self.text(span.file)[span.range()]
     }
 
+    /// Byte range of the line that contains an offset, without its line break.
+    pub fn line_range(&self, file: FileId, offset: u32) -> std::ops::Range<usize> {
+        let file = &self.files[file.0 as usize];
+        let next = file.line_starts.partition_point(|&start| start <= offset);
+        let start = file.line_starts[next - 1] as usize;
+        let end = file.line_starts.get(next).map_or(file.text.len(), |&next| next as usize - 1);
+        let carriage_return = file.text.as_bytes().get(start..end).is_some_and(|line| line.ends_with(b"\r"));
+        start..end - usize::from(carriage_return)
+    }
+
     pub fn line_column(&self, file: FileId, offset: u32) -> LineColumn {
         let file = &self.files[file.0 as usize];
         let line = file.line_starts.partition_point(|&start| start <= offset) - 1;
