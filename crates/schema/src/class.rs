@@ -2,7 +2,8 @@
 
 use crate::{Field, Kind};
 
-/// A condition over several parameters of one command.
+/// A condition over several parameters of one command. [`Rule::OneOf`] and [`Rule::AtLeastOne`]
+/// hold for the command that creates; a `modify` command may leave everything out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Exactly one of these sets of parameters places the object; each set is given whole.
@@ -17,12 +18,15 @@ pub enum Rule {
 /// part has three (`name_and_position`, `mass_properties`, `initial_velocity`).
 #[derive(Clone, Copy, Debug)]
 pub struct Group {
-    /// `force create element_like beam`; `modify` in place of `create` follows from it.
+    /// `force create element_like beam`; `modify` in place of `create` follows from it. Several
+    /// classes may share a command (`force attributes`); the object named then decides.
     pub command: &'static str,
     /// Whether the `create` form makes the object, or only sets cells of one that exists
     /// (`part create rigid_body mass_properties`).
     pub creates: bool,
-    /// Parameter that names the object (`beam_name`); its `new_...` form renames on modify.
+    /// Parameter that names the object (`beam_name`); its `new_...` form renames on modify. Empty
+    /// for settings of which a model has one set (`executive_control set ...`): the object is made
+    /// by the first use, below the model of the field `model_name`.
     pub object: &'static str,
     /// Parameters other than the object's name, in the order exports write them. `adams_id` and
     /// `comments` are listed like any other.
@@ -105,6 +109,12 @@ pub struct Registry {
 impl Registry {
     pub fn class(&self, id: &str) -> Option<&'static Class> {
         self.classes.iter().copied().find(|c| c.id == id)
+    }
+
+    /// The groups of all classes that a command, as written in [`Group::command`], belongs to.
+    pub fn groups(&self, command: &str) -> Vec<(&'static Class, &'static Group)> {
+        let all = self.classes.iter().flat_map(|&class| class.groups.iter().map(move |group| (class, group)));
+        all.filter(|(_, group)| group.command == command).collect()
     }
 
     /// Breaches of the rules a table must keep; empty for a sound registry. Tested once.
