@@ -44,6 +44,7 @@ pub const CLASS: Class = Class {
             ],
             rules: &[
                 Rule::AtMostOne(&["function", "user_function"]),
+                Rule::AtLeastOne(&["function", "user_function"]),
                 Rule::AtMostOne(&["i_marker_name", "i_part_name"]),
                 Rule::AtLeastOne(&["i_marker_name", "i_part_name"]),
                 Rule::AtMostOne(&["j_marker_name", "j_part_name"]),

@@ -35,6 +35,6 @@ pub const CLASS: Class = Class {
             Field::real("eta", Dimension::NONE).doc("forcing term"),
         ],
         rules: &[],
-        doc: "how static equilibrium is found; one object for each model, made by the first use, named by itself",
+        doc: "how static equilibrium is found; one set for each model, made by the first use",
     }],
 };

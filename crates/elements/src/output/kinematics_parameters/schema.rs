@@ -27,6 +27,6 @@ pub const CLASS: Class = Class {
                 .doc("iterations at which the matrix of accelerations is evaluated anew"),
         ],
         rules: &[],
-        doc: "how a kinematic run is solved; one object for each model, made by the first use, named by itself",
+        doc: "how a kinematic run is solved; one set for each model, made by the first use",
     }],
 };

@@ -61,6 +61,6 @@ pub const CLASS: Class = Class {
             Field::real("max_error", Dimension::NONE).doc("error above which a step is refused"),
         ],
         rules: &[],
-        doc: "how a run is integrated in time; one object for each model, made by the first use, named by itself",
+        doc: "how a run is integrated in time; one set for each model, made by the first use",
     }],
 };

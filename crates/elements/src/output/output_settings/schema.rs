@@ -50,6 +50,6 @@ pub const CLASS: Class = Class {
             Field::choice("monitor_points", &["none", "generic", "rpc", "csv"]).doc("format of monitor points"),
         ],
         rules: &[],
-        doc: "what is printed and saved during a run; one object for each model, made by the first use, named by itself",
+        doc: "what is printed and saved during a run; one set for each model, made by the first use",
     }],
 };

@@ -21,6 +21,6 @@ pub const CLASS: Class = Class {
             Field::integer("thread_count").doc("threads the solver may use"),
         ],
         rules: &[],
-        doc: "preferences of the solver; one object for each model, made by the first use, named by itself",
+        doc: "preferences of the solver; one set for each model, made by the first use",
     }],
 };

@@ -46,6 +46,6 @@ pub const CLASS: Class = Class {
             Field::on_off("node_incidents").doc("include node incidents"),
         ],
         rules: &[],
-        doc: "what the results file holds; one object for each model, made by the first use, named by itself",
+        doc: "what the results file holds; one set for each model, made by the first use",
     }],
 };
