@@ -8,7 +8,10 @@ pub mod data;
 pub mod forces;
 pub mod geometry;
 pub mod joints;
+pub mod mesh;
 pub mod output;
+pub mod place;
 mod registry;
+pub mod shape;
 
 pub use registry::registry;

@@ -1,4 +1,6 @@
 //! A block.
+#![doc = include_str!("docs.md")]
 
+pub mod draw;
 pub mod schema;
 pub use schema::CLASS;

@@ -1,4 +1,6 @@
 //! A frustum.
+#![doc = include_str!("docs.md")]
 
+pub mod draw;
 pub mod schema;
 pub use schema::CLASS;

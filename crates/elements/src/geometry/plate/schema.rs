@@ -19,14 +19,14 @@ pub const CLASS: Class = Class {
             fields: &[
                 common::COMMENTS,
                 Field::object("marker_name", "marker")
-                    .count(Count::exactly(3))
+                    .count(Count::between(3, usize::MAX))
                     .required()
-                    .doc("three markers at the corners"),
+                    .doc("markers at the centres of the round corners, in order around the plate"),
                 Field::real("width", Dimension::LENGTH).required().doc("thickness of the plate"),
                 Field::real("radius", Dimension::LENGTH).required().doc("radius of the round corners"),
             ],
             rules: &[],
-            doc: "a plate with round corners through three markers",
+            doc: "a plate with round corners around three or more markers",
         },
         attributes::GEOMETRY,
         attributes::GEOMETRY_MORE,
