@@ -16,7 +16,9 @@ mod scalar;
 pub mod constraints;
 pub mod measures;
 
+mod accumulators;
 pub mod layout;
+mod motion;
 mod pipeline;
 mod system;
 

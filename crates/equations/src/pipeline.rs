@@ -1,178 +1,251 @@
-//! From the solver's vectors to the state that elements see, and the accumulators they write to.
+//! The steps of one evaluation: positions, velocities, loads, constraints, residual, Newton matrix.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::DVec3;
+use solver::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
 
-use crate::layout::{BodySlot, Layout};
-use crate::{Body, BodyId, Frame, FrameId, FrameLoad, FrameMotion, GROUND, Loads, State, Tangent};
+use crate::accumulators::Blocks;
+use crate::motion::{exponential, logarithm, put, put_quaternion, quaternion, vec3};
+use crate::system::spread;
+use crate::{Axis, Constraint, State, System};
 
-pub(crate) fn vec3(values: &[f64], at: usize) -> DVec3 {
-    DVec3::new(values[at], values[at + 1], values[at + 2])
-}
+impl Dae for System {
+    fn positions(&self) -> usize {
+        self.layout.positions
+    }
 
-pub(crate) fn put(vector: DVec3, values: &mut [f64], at: usize) {
-    values[at..at + 3].copy_from_slice(&vector.to_array());
-}
+    fn velocities(&self) -> usize {
+        self.layout.velocities
+    }
 
-pub(crate) fn quaternion(q: &[f64], slot: &BodySlot) -> DQuat {
-    let at = slot.position + 3;
-    DQuat::from_xyzw(q[at + 1], q[at + 2], q[at + 3], q[at])
-}
+    fn constraints(&self) -> usize {
+        self.layout.multipliers
+    }
 
-pub(crate) fn put_quaternion(value: DQuat, q: &mut [f64], slot: &BodySlot) {
-    let at = slot.position + 3;
-    q[at..at + 4].copy_from_slice(&[value.w, value.x, value.y, value.z]);
-}
+    fn pattern(&self) -> Pattern {
+        self.layout.pattern(&self.forces, &self.constraints)
+    }
 
-/// A state of the right size with every frame at its initial place.
-pub(crate) fn new_state(bodies: &[Body], frames: &[Frame]) -> State {
-    let mut state = State {
-        time: 0.0,
-        bodies: bodies.iter().map(|body| body.initial).collect(),
-        rotations: vec![DMat3::IDENTITY; bodies.len()],
-        frames: vec![FrameMotion::GLOBAL; frames.len()],
-        statics: false,
-    };
-    for (motion, frame) in state.frames.iter_mut().zip(frames) {
-        motion.body = frame.body;
-        if frame.body == GROUND {
-            motion.r_bi_g = frame.r_bi_b;
-            motion.r_gi_g = frame.r_bi_b;
-            motion.rot_gi = frame.rot_bi;
+    fn scales(&self) -> Scales {
+        let mut increments = vec![1.0; self.layout.velocities];
+        for slot in &self.layout.bodies {
+            increments[slot.velocity..slot.velocity + 3].fill(self.length_unit);
         }
-    }
-    state
-}
-
-/// Places bodies and frames.
-pub(crate) fn place(state: &mut State, layout: &Layout, bodies: &[Body], frames: &[Frame], q: &[f64]) {
-    for (at, slot) in layout.bodies.iter().enumerate() {
-        let motion = &mut state.bodies[at];
-        motion.r_gb_g = vec3(q, slot.position);
-        motion.q_gb = if slot.size == 6 { quaternion(q, slot).normalize() } else { bodies[at].initial.q_gb };
-        state.rotations[at] = DMat3::from_quat(motion.q_gb);
-    }
-    for (motion, frame) in state.frames.iter_mut().zip(frames) {
-        if frame.body != GROUND {
-            let rot_gb = state.rotations[frame.body.0 as usize];
-            motion.r_bi_g = rot_gb * frame.r_bi_b;
-            motion.r_gi_g = state.bodies[frame.body.0 as usize].r_gb_g + motion.r_bi_g;
-            motion.rot_gi = rot_gb * frame.rot_bi;
-        }
-    }
-}
-
-/// Velocities of bodies and frames; all zero without `v`.
-pub(crate) fn set_velocities(state: &mut State, layout: &Layout, v: Option<&[f64]>) {
-    for (at, slot) in layout.bodies.iter().enumerate() {
-        let motion = &mut state.bodies[at];
-        motion.v_gb_g = v.map_or(DVec3::ZERO, |v| vec3(v, slot.velocity));
-        motion.w_gb_b = match v {
-            Some(v) if slot.size == 6 => vec3(v, slot.velocity + 3),
-            _ => DVec3::ZERO,
-        };
-    }
-    for motion in &mut state.frames {
-        if motion.body != GROUND {
-            let at = motion.body.0 as usize;
-            motion.w_gi_g = state.rotations[at] * state.bodies[at].w_gb_b;
-            motion.v_gi_g = state.bodies[at].v_gb_g + motion.w_gi_g.cross(motion.r_bi_g);
-        }
-    }
-}
-
-/// Accelerations of bodies and frames; all zero without `a`.
-pub(crate) fn set_accelerations(state: &mut State, layout: &Layout, a: Option<&[f64]>) {
-    for (at, slot) in layout.bodies.iter().enumerate() {
-        let motion = &mut state.bodies[at];
-        motion.a_gb_g = a.map_or(DVec3::ZERO, |a| vec3(a, slot.velocity));
-        motion.alpha_gb_b = match a {
-            Some(a) if slot.size == 6 => vec3(a, slot.velocity + 3),
-            _ => DVec3::ZERO,
-        };
-    }
-    for motion in &mut state.frames {
-        if motion.body != GROUND {
-            let at = motion.body.0 as usize;
-            let (w, arm) = (motion.w_gi_g, motion.r_bi_g);
-            motion.alpha_gi_g = state.rotations[at] * state.bodies[at].alpha_gb_b;
-            motion.a_gi_g = if a.is_some() {
-                state.bodies[at].a_gb_g + motion.alpha_gi_g.cross(arm) + w.cross(w.cross(arm))
-            } else {
-                DVec3::ZERO
-            };
-        }
-    }
-}
-
-/// `exp(theta)` as a quaternion.
-pub(crate) fn exponential(theta: DVec3) -> DQuat {
-    let angle = theta.length();
-    // sin(angle/2)/angle; the series is exact to rounding below the switch.
-    let factor = if angle < 1e-4 { 0.5 - angle * angle / 48.0 } else { (0.5 * angle).sin() / angle };
-    let v = theta * factor;
-    DQuat::from_xyzw(v.x, v.y, v.z, (0.5 * angle).cos())
-}
-
-/// Rotation vector of a quaternion, of the shorter way round.
-pub(crate) fn logarithm(q: DQuat) -> DVec3 {
-    let v = DVec3::new(q.x, q.y, q.z) * if q.w < 0.0 { -1.0 } else { 1.0 };
-    let (sine, cosine) = (v.length(), q.w.abs());
-    if sine < 1e-8 { v * (2.0 / cosine) } else { v * (2.0 * sine.atan2(cosine) / sine) }
-}
-
-/// Generalised loads on all bodies: force at the centre of mass in ground axes, torque about it in
-/// body axes.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct BodyLoads {
-    pub(crate) loads: Vec<[DVec3; 2]>,
-}
-
-impl Loads for BodyLoads {
-    fn at_frame(&mut self, state: &State, frame: FrameId, load: FrameLoad) {
-        let motion = state.frame(frame);
-        self.at_body(state, motion.body, load.f_g, load.t_g + motion.r_bi_g.cross(load.f_g));
+        Scales { increments }
     }
 
-    fn at_body(&mut self, state: &State, body: BodyId, f_g: DVec3, t_g: DVec3) {
-        if body == GROUND {
-            return;
-        }
-        let at = body.0 as usize;
-        let [force, torque] = &mut self.loads[at];
-        *force += f_g;
-        *torque += state.rotations[at].transpose() * t_g;
-    }
-}
-
-/// Hands derivatives of loads over as blocks of the Newton matrix.
-pub(crate) struct Blocks<'a> {
-    pub(crate) layout: &'a Layout,
-    pub(crate) stiffness: f64,
-    pub(crate) damping: f64,
-    pub(crate) add: &'a mut dyn FnMut(usize, usize, &[f64]),
-}
-
-impl Tangent for Blocks<'_> {
-    fn stiffness(&self) -> f64 {
-        self.stiffness
-    }
-
-    fn damping(&self) -> f64 {
-        self.damping
-    }
-
-    fn add(&mut self, row: BodyId, column: BodyId, block: &[[f64; 6]; 6]) {
-        if row == GROUND || column == GROUND {
-            return;
-        }
-        let (row, column) = (row.0 as usize, column.0 as usize);
-        let (height, width) = (self.layout.bodies[row].size, self.layout.bodies[column].size);
-        let mut values = [0.0; 36];
-        for (c, values) in values.chunks_exact_mut(height).take(width).enumerate() {
-            for (r, value) in values.iter_mut().enumerate() {
-                *value = block[r][c];
+    fn retract(&self, q: &[f64], increment: &[f64], out: &mut [f64]) {
+        for slot in &self.layout.bodies {
+            put(vec3(q, slot.position) + vec3(increment, slot.velocity), out, slot.position);
+            if slot.size == 6 {
+                let turned = quaternion(q, slot) * exponential(vec3(increment, slot.velocity + 3));
+                put_quaternion(turned.normalize(), out, slot);
             }
         }
-        (self.add)(row, column, &values[..height * width]);
+    }
+
+    fn difference(&self, q0: &[f64], q1: &[f64], out: &mut [f64]) {
+        for slot in &self.layout.bodies {
+            put(vec3(q1, slot.position) - vec3(q0, slot.position), out, slot.velocity);
+            if slot.size == 6 {
+                let turn = quaternion(q0, slot).conjugate() * quaternion(q1, slot);
+                put(logarithm(turn), out, slot.velocity + 3);
+            }
+        }
+    }
+
+    fn residual(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        v: &[f64],
+        a: &[f64],
+        lambda: &[f64],
+        r: &mut [f64],
+    ) -> Result<(), Evaluation> {
+        self.update(t, q, Some(v));
+        self.collect_loads()?;
+        self.balance_momentum(a, r);
+        self.add_reactions(lambda, r)?;
+        match r.iter().position(|value| !value.is_finite()) {
+            Some(unknown) => Err(self.blame(unknown)),
+            None => Ok(()),
+        }
+    }
+
+    fn constraint_residual(&mut self, t: f64, q: &[f64], phi: &mut [f64]) -> Result<(), Evaluation> {
+        self.update(t, q, None);
+        self.gather(phi, |constraint, state, values| constraint.residual(state, values))
+    }
+
+    fn constraint_velocity(&mut self, t: f64, q: &[f64], phi_t: &mut [f64]) -> Result<(), Evaluation> {
+        self.update(t, q, None);
+        self.gather(phi_t, |constraint, state, values| {
+            constraint.velocity(state, values);
+            Ok(())
+        })
+    }
+
+    fn constraint_acceleration(&mut self, t: f64, q: &[f64], v: &[f64], gamma: &mut [f64]) -> Result<(), Evaluation> {
+        self.update(t, q, Some(v));
+        self.gather(gamma, |constraint, state, values| constraint.acceleration(state, values))
+    }
+
+    fn jacobian(&mut self, at: JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) -> Result<(), Evaluation> {
+        self.update(at.t, at.q, Some(at.v));
+        self.add_inertia(&at, add);
+        let (stiffness, damping) = (-self.load_factor * at.stiffness, -self.load_factor * at.damping);
+        let mut tangent = Blocks { layout: &self.layout, stiffness, damping, add: &mut *add };
+        for force in &self.forces {
+            force.add_tangent(&self.state, &mut tangent)?;
+        }
+        self.add_constraints(&at, add)
+    }
+
+    fn describe(&self, unknown: usize) -> String {
+        let axes = Axis::ALL.map(|axis| axis.letter().to_ascii_lowercase());
+        for (body, slot) in self.bodies.iter().zip(&self.layout.bodies) {
+            match unknown.checked_sub(slot.velocity) {
+                Some(at) if at < 3 => return format!("{} translation {}", body.name, axes[at]),
+                Some(at) if at < slot.size => return format!("{} rotation about {}", body.name, axes[at - 3]),
+                _ => {}
+            }
+        }
+        let multiplier = unknown.wrapping_sub(self.layout.velocities);
+        for (constraint, slot) in self.constraints.iter().zip(&self.layout.constraints) {
+            if let Some(&equation) = multiplier.checked_sub(slot.multiplier).and_then(|at| slot.equations.get(at)) {
+                return format!("{} {}", constraint.name(), constraint.equation_name(equation).0);
+            }
+        }
+        format!("unknown {unknown}")
+    }
+}
+
+impl System {
+    /// Forces and gravity on all bodies, before the load factor.
+    fn collect_loads(&mut self) -> Result<(), Evaluation> {
+        for (load, body) in self.loads.loads.iter_mut().zip(&self.bodies) {
+            *load = [body.mass * self.gravity_g, DVec3::ZERO];
+        }
+        for force in &self.forces {
+            force.add_loads(&self.state, &mut self.loads)?;
+        }
+        Ok(())
+    }
+
+    /// `r`: rate of momentum minus the collected loads.
+    fn balance_momentum(&self, a: &[f64], r: &mut [f64]) {
+        for (at, (body, slot)) in self.bodies.iter().zip(&self.layout.bodies).enumerate() {
+            let [f_g, t_b] = self.loads.loads[at].map(|load| load * self.load_factor);
+            put(body.mass * vec3(a, slot.velocity) - f_g, r, slot.velocity);
+            if slot.size == 6 {
+                let (w, inertia) = (self.state.bodies[at].w_gb_b, body.inertia_c_b);
+                let rate = inertia * vec3(a, slot.velocity + 3) + w.cross(inertia * w);
+                put(rate - t_b, r, slot.velocity + 3);
+            }
+        }
+    }
+
+    /// Adds `B^T lambda`, minus the loads of the constraints.
+    fn add_reactions(&mut self, lambda: &[f64], r: &mut [f64]) -> Result<(), Evaluation> {
+        for ((constraint, slot), rows) in self.constraints.iter().zip(&self.layout.constraints).zip(&mut self.rows) {
+            if slot.block.is_none() {
+                continue;
+            }
+            rows.clear();
+            constraint.jacobian(&self.state, rows)?;
+            for (body, rows) in &rows.blocks {
+                let place = &self.layout.bodies[body.0 as usize];
+                let sums = &mut r[place.velocity..place.velocity + place.size];
+                for (at, &equation) in slot.equations.iter().enumerate() {
+                    for (sum, value) in sums.iter_mut().zip(&rows[equation]) {
+                        *sum += value * lambda[slot.multiplier + at];
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Names what made the residual infinite or undefined.
+    fn blame(&mut self, unknown: usize) -> Evaluation {
+        for force in &self.forces {
+            self.loads.loads.fill([DVec3::ZERO; 2]);
+            let done = force.add_loads(&self.state, &mut self.loads);
+            if done.is_err() || self.loads.loads.iter().flatten().any(|vector| !vector.is_finite()) {
+                return Evaluation { message: format!("the load of `{}` is not a finite number", force.name()) };
+            }
+        }
+        let equation = self.describe(unknown);
+        Evaluation { message: format!("the equation of {equation} has no finite value") }
+    }
+
+    /// Runs one of the constraints' vector functions on the active equations.
+    fn gather(
+        &mut self,
+        out: &mut [f64],
+        evaluate: impl Fn(&dyn Constraint, &State, &mut [f64]) -> Result<(), Evaluation>,
+    ) -> Result<(), Evaluation> {
+        for (constraint, slot) in self.constraints.iter().zip(&self.layout.constraints) {
+            let values = &mut self.scratch[..slot.active.len()];
+            evaluate(constraint.as_ref(), &self.state, values)?;
+            for (at, &equation) in slot.equations.iter().enumerate() {
+                out[slot.multiplier + at] = values[equation];
+            }
+        }
+        Ok(())
+    }
+
+    fn add_inertia(&self, at: &JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) {
+        for (block, (body, slot)) in self.bodies.iter().zip(&self.layout.bodies).enumerate() {
+            let mass = at.mass * body.mass;
+            if slot.size == 3 {
+                add(block, block, &[mass, 0.0, 0.0, 0.0, mass, 0.0, 0.0, 0.0, mass]);
+                continue;
+            }
+            let inertia = body.inertia_c_b;
+            let w = self.state.bodies[block].w_gb_b;
+            // d(w x J w)/dw
+            let gyroscopic = crate::skew(w) * inertia - crate::skew(inertia * w);
+            let rotation = inertia * at.mass + gyroscopic * at.damping;
+            let mut values = [0.0; 36];
+            for c in 0..3 {
+                values[7 * c] = mass;
+                values[6 * (c + 3) + 3..6 * (c + 3) + 6].copy_from_slice(&rotation.col(c).to_array());
+            }
+            add(block, block, &values);
+        }
+    }
+
+    fn add_constraints(
+        &mut self,
+        at: &JacobianPoint<'_>,
+        add: &mut dyn FnMut(usize, usize, &[f64]),
+    ) -> Result<(), Evaluation> {
+        for ((constraint, slot), rows) in self.constraints.iter().zip(&self.layout.constraints).zip(&mut self.rows) {
+            let Some(block) = slot.block else { continue };
+            rows.clear();
+            constraint.jacobian(&self.state, rows)?;
+            let count = slot.equations.len();
+            for (body, rows) in &rows.blocks {
+                let body = body.0 as usize;
+                let size = self.layout.bodies[body].size;
+                let values = &mut self.block[..count * size];
+                for (r, &equation) in slot.equations.iter().enumerate() {
+                    for c in 0..size {
+                        values[c * count + r] = rows[equation][c];
+                    }
+                }
+                add(block, body, values);
+                for (r, &equation) in slot.equations.iter().enumerate() {
+                    values[r * size..(r + 1) * size].copy_from_slice(&rows[equation][..size]);
+                }
+                add(body, block, values);
+            }
+            let multipliers = &mut self.scratch[..slot.active.len()];
+            spread(slot, at.lambda, multipliers);
+            let mut tangent = Blocks { layout: &self.layout, stiffness: -at.stiffness, damping: 0.0, add: &mut *add };
+            constraint.add_tangent(&self.state, multipliers, &mut tangent);
+        }
+        Ok(())
     }
 }

@@ -1,11 +1,12 @@
 //! The equations of motion of all bodies: what the solver solves.
 
 use glam::DVec3;
-use solver::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
+use solver::Evaluation;
 
+use crate::accumulators::BodyLoads;
 use crate::layout::Layout;
-use crate::pipeline::{self, Blocks, BodyLoads, exponential, logarithm, put, put_quaternion, quaternion, vec3};
-use crate::{Axis, Body, BodyId, Constraint, ConstraintRows, Force, Frame, FrameId, FrameLoad, GROUND, Side, State};
+use crate::motion::{self, put, put_quaternion};
+use crate::{Body, BodyId, Constraint, ConstraintRows, Force, Frame, FrameId, FrameLoad, GROUND, Side, State};
 
 /// One row of the constraint Jacobian, for the search of redundant equations.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,27 +25,27 @@ pub struct EquationRow {
 /// Positions are `[r | quaternion w x y z]` of each body (three numbers for a point mass),
 /// velocities `[v_g | w_b]`, then one multiplier for each active equation.
 pub struct System {
-    bodies: Vec<Body>,
-    frames: Vec<Frame>,
-    forces: Vec<Box<dyn Force>>,
-    constraints: Vec<Box<dyn Constraint>>,
-    gravity_g: DVec3,
-    load_factor: f64,
-    length_unit: f64,
-    layout: Layout,
-    state: State,
-    cache: Cache,
-    loads: BodyLoads,
-    rows: Vec<ConstraintRows>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) frames: Vec<Frame>,
+    pub(crate) forces: Vec<Box<dyn Force>>,
+    pub(crate) constraints: Vec<Box<dyn Constraint>>,
+    pub(crate) gravity_g: DVec3,
+    pub(crate) load_factor: f64,
+    pub(crate) length_unit: f64,
+    pub(crate) layout: Layout,
+    pub(crate) state: State,
+    pub(crate) cache: Cache,
+    pub(crate) loads: BodyLoads,
+    pub(crate) rows: Vec<ConstraintRows>,
     /// As long as the largest constraint has equations.
-    scratch: Vec<f64>,
+    pub(crate) scratch: Vec<f64>,
     /// As long as the largest block of constraint rows.
-    block: Vec<f64>,
+    pub(crate) block: Vec<f64>,
 }
 
 /// What the state was computed from.
 #[derive(Default)]
-struct Cache {
+pub(crate) struct Cache {
     q: Vec<f64>,
     v: Vec<f64>,
     placed: bool,
@@ -82,7 +83,7 @@ impl System {
         let layout = Layout::new(&bodies, &constraints);
         let rows: Vec<_> = constraints.iter().map(|c| ConstraintRows::for_constraint(c.as_ref())).collect();
         let most = constraints.iter().map(|c| c.equations()).max().unwrap_or(0);
-        let state = pipeline::new_state(&bodies, &frames);
+        let state = motion::new_state(&bodies, &frames);
         let cache = Cache { q: vec![0.0; layout.positions], v: vec![0.0; layout.velocities], ..Cache::default() };
         let loads = BodyLoads { loads: vec![[DVec3::ZERO; 2]; bodies.len()] };
         Ok(Self {
@@ -174,23 +175,24 @@ impl System {
         self.update(t, q, Some(v));
         if a.is_some() || self.cache.accelerated {
             let a = if self.state.statics { None } else { a };
-            pipeline::set_accelerations(&mut self.state, &self.layout, a);
+            motion::set_accelerations(&mut self.state, &self.layout, a);
             self.cache.accelerated = a.is_some();
         }
         &self.state
     }
 
-    fn update(&mut self, t: f64, q: &[f64], v: Option<&[f64]>) {
+    /// Brings the state to a time, positions and, where given, velocities.
+    pub(crate) fn update(&mut self, t: f64, q: &[f64], v: Option<&[f64]>) {
         self.state.time = t;
         if !self.cache.placed || self.cache.q != q {
-            pipeline::place(&mut self.state, &self.layout, &self.bodies, &self.frames, q);
+            motion::place(&mut self.state, &self.layout, &self.bodies, &self.frames, q);
             self.cache.q.copy_from_slice(q);
             (self.cache.placed, self.cache.moving) = (true, false);
         }
         let Some(v) = v else { return };
         if !self.cache.moving || self.cache.v != v {
             let moving = (!self.state.statics).then_some(v);
-            pipeline::set_velocities(&mut self.state, &self.layout, moving);
+            motion::set_velocities(&mut self.state, &self.layout, moving);
             self.cache.v.copy_from_slice(v);
             self.cache.moving = true;
         }
@@ -273,247 +275,12 @@ impl System {
         }
         sum
     }
-
-    /// Forces and gravity on all bodies, times the load factor.
-    fn collect_loads(&mut self) -> Result<(), Evaluation> {
-        for (load, body) in self.loads.loads.iter_mut().zip(&self.bodies) {
-            *load = [body.mass * self.gravity_g, DVec3::ZERO];
-        }
-        for force in &self.forces {
-            force.add_loads(&self.state, &mut self.loads)?;
-        }
-        Ok(())
-    }
-
-    /// Subtracts `B^T lambda`: adds it to the residual.
-    fn add_reactions(&mut self, lambda: &[f64], r: &mut [f64]) -> Result<(), Evaluation> {
-        for ((constraint, slot), rows) in self.constraints.iter().zip(&self.layout.constraints).zip(&mut self.rows) {
-            if slot.block.is_none() {
-                continue;
-            }
-            rows.clear();
-            constraint.jacobian(&self.state, rows)?;
-            for (body, rows) in &rows.blocks {
-                let place = &self.layout.bodies[body.0 as usize];
-                let sums = &mut r[place.velocity..place.velocity + place.size];
-                for (at, &equation) in slot.equations.iter().enumerate() {
-                    for (sum, value) in sums.iter_mut().zip(&rows[equation]) {
-                        *sum += value * lambda[slot.multiplier + at];
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Names what made the residual infinite or undefined.
-    fn blame(&mut self, unknown: usize) -> Evaluation {
-        for force in &self.forces {
-            self.loads.loads.fill([DVec3::ZERO; 2]);
-            let done = force.add_loads(&self.state, &mut self.loads);
-            if done.is_err() || self.loads.loads.iter().flatten().any(|vector| !vector.is_finite()) {
-                return Evaluation { message: format!("the load of `{}` is not a finite number", force.name()) };
-            }
-        }
-        let equation = self.describe(unknown);
-        Evaluation { message: format!("the equation of {equation} has no finite value") }
-    }
-
-    /// Runs one of the constraints' vector functions on the active equations.
-    fn gather(
-        &mut self,
-        out: &mut [f64],
-        evaluate: impl Fn(&dyn Constraint, &State, &mut [f64]) -> Result<(), Evaluation>,
-    ) -> Result<(), Evaluation> {
-        for (constraint, slot) in self.constraints.iter().zip(&self.layout.constraints) {
-            let values = &mut self.scratch[..slot.active.len()];
-            evaluate(constraint.as_ref(), &self.state, values)?;
-            for (at, &equation) in slot.equations.iter().enumerate() {
-                out[slot.multiplier + at] = values[equation];
-            }
-        }
-        Ok(())
-    }
-
-    fn add_inertia(&self, at: &JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) {
-        for (block, (body, slot)) in self.bodies.iter().zip(&self.layout.bodies).enumerate() {
-            let mass = at.mass * body.mass;
-            if slot.size == 3 {
-                add(block, block, &[mass, 0.0, 0.0, 0.0, mass, 0.0, 0.0, 0.0, mass]);
-                continue;
-            }
-            let inertia = body.inertia_c_b;
-            let w = self.state.bodies[block].w_gb_b;
-            // d(w x J w)/dw
-            let gyroscopic = crate::skew(w) * inertia - crate::skew(inertia * w);
-            let rotation = inertia * at.mass + gyroscopic * at.damping;
-            let mut values = [0.0; 36];
-            for c in 0..3 {
-                values[7 * c] = mass;
-                values[6 * (c + 3) + 3..6 * (c + 3) + 6].copy_from_slice(&rotation.col(c).to_array());
-            }
-            add(block, block, &values);
-        }
-    }
-
-    fn add_constraints(
-        &mut self,
-        at: &JacobianPoint<'_>,
-        add: &mut dyn FnMut(usize, usize, &[f64]),
-    ) -> Result<(), Evaluation> {
-        for ((constraint, slot), rows) in self.constraints.iter().zip(&self.layout.constraints).zip(&mut self.rows) {
-            let Some(block) = slot.block else { continue };
-            rows.clear();
-            constraint.jacobian(&self.state, rows)?;
-            let count = slot.equations.len();
-            for (body, rows) in &rows.blocks {
-                let body = body.0 as usize;
-                let size = self.layout.bodies[body].size;
-                let values = &mut self.block[..count * size];
-                for (r, &equation) in slot.equations.iter().enumerate() {
-                    for c in 0..size {
-                        values[c * count + r] = rows[equation][c];
-                    }
-                }
-                add(block, body, values);
-                for (r, &equation) in slot.equations.iter().enumerate() {
-                    values[r * size..(r + 1) * size].copy_from_slice(&rows[equation][..size]);
-                }
-                add(body, block, values);
-            }
-            let multipliers = &mut self.scratch[..slot.active.len()];
-            spread(slot, at.lambda, multipliers);
-            let mut tangent = Blocks { layout: &self.layout, stiffness: -at.stiffness, damping: 0.0, add: &mut *add };
-            constraint.add_tangent(&self.state, multipliers, &mut tangent);
-        }
-        Ok(())
-    }
 }
 
 /// Multipliers of all equations of a constraint from those of the active ones.
-fn spread(slot: &crate::layout::ConstraintSlot, lambda: &[f64], full: &mut [f64]) {
+pub(crate) fn spread(slot: &crate::layout::ConstraintSlot, lambda: &[f64], full: &mut [f64]) {
     full.fill(0.0);
     for (at, &equation) in slot.equations.iter().enumerate() {
         full[equation] = lambda[slot.multiplier + at];
-    }
-}
-
-impl Dae for System {
-    fn positions(&self) -> usize {
-        self.layout.positions
-    }
-
-    fn velocities(&self) -> usize {
-        self.layout.velocities
-    }
-
-    fn constraints(&self) -> usize {
-        self.layout.multipliers
-    }
-
-    fn pattern(&self) -> Pattern {
-        self.layout.pattern(&self.forces, &self.constraints)
-    }
-
-    fn scales(&self) -> Scales {
-        let mut increments = vec![1.0; self.layout.velocities];
-        for slot in &self.layout.bodies {
-            increments[slot.velocity..slot.velocity + 3].fill(self.length_unit);
-        }
-        Scales { increments }
-    }
-
-    fn retract(&self, q: &[f64], increment: &[f64], out: &mut [f64]) {
-        for slot in &self.layout.bodies {
-            put(vec3(q, slot.position) + vec3(increment, slot.velocity), out, slot.position);
-            if slot.size == 6 {
-                let turned = quaternion(q, slot) * exponential(vec3(increment, slot.velocity + 3));
-                put_quaternion(turned.normalize(), out, slot);
-            }
-        }
-    }
-
-    fn difference(&self, q0: &[f64], q1: &[f64], out: &mut [f64]) {
-        for slot in &self.layout.bodies {
-            put(vec3(q1, slot.position) - vec3(q0, slot.position), out, slot.velocity);
-            if slot.size == 6 {
-                let turn = quaternion(q0, slot).conjugate() * quaternion(q1, slot);
-                put(logarithm(turn), out, slot.velocity + 3);
-            }
-        }
-    }
-
-    fn residual(
-        &mut self,
-        t: f64,
-        q: &[f64],
-        v: &[f64],
-        a: &[f64],
-        lambda: &[f64],
-        r: &mut [f64],
-    ) -> Result<(), Evaluation> {
-        self.update(t, q, Some(v));
-        self.collect_loads()?;
-        for (at, (body, slot)) in self.bodies.iter().zip(&self.layout.bodies).enumerate() {
-            let [f_g, t_b] = self.loads.loads[at].map(|load| load * self.load_factor);
-            put(body.mass * vec3(a, slot.velocity) - f_g, r, slot.velocity);
-            if slot.size == 6 {
-                let (w, inertia) = (self.state.bodies[at].w_gb_b, body.inertia_c_b);
-                let rate = inertia * vec3(a, slot.velocity + 3) + w.cross(inertia * w);
-                put(rate - t_b, r, slot.velocity + 3);
-            }
-        }
-        self.add_reactions(lambda, r)?;
-        match r.iter().position(|value| !value.is_finite()) {
-            Some(unknown) => Err(self.blame(unknown)),
-            None => Ok(()),
-        }
-    }
-
-    fn constraint_residual(&mut self, t: f64, q: &[f64], phi: &mut [f64]) -> Result<(), Evaluation> {
-        self.update(t, q, None);
-        self.gather(phi, |constraint, state, values| constraint.residual(state, values))
-    }
-
-    fn constraint_velocity(&mut self, t: f64, q: &[f64], phi_t: &mut [f64]) -> Result<(), Evaluation> {
-        self.update(t, q, None);
-        self.gather(phi_t, |constraint, state, values| {
-            constraint.velocity(state, values);
-            Ok(())
-        })
-    }
-
-    fn constraint_acceleration(&mut self, t: f64, q: &[f64], v: &[f64], gamma: &mut [f64]) -> Result<(), Evaluation> {
-        self.update(t, q, Some(v));
-        self.gather(gamma, |constraint, state, values| constraint.acceleration(state, values))
-    }
-
-    fn jacobian(&mut self, at: JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) -> Result<(), Evaluation> {
-        self.update(at.t, at.q, Some(at.v));
-        self.add_inertia(&at, add);
-        let (stiffness, damping) = (-self.load_factor * at.stiffness, -self.load_factor * at.damping);
-        let mut tangent = Blocks { layout: &self.layout, stiffness, damping, add: &mut *add };
-        for force in &self.forces {
-            force.add_tangent(&self.state, &mut tangent)?;
-        }
-        self.add_constraints(&at, add)
-    }
-
-    fn describe(&self, unknown: usize) -> String {
-        let axes = Axis::ALL.map(|axis| axis.letter().to_ascii_lowercase());
-        for (body, slot) in self.bodies.iter().zip(&self.layout.bodies) {
-            match unknown.checked_sub(slot.velocity) {
-                Some(at) if at < 3 => return format!("{} translation {}", body.name, axes[at]),
-                Some(at) if at < slot.size => return format!("{} rotation about {}", body.name, axes[at - 3]),
-                _ => {}
-            }
-        }
-        let multiplier = unknown.wrapping_sub(self.layout.velocities);
-        for (constraint, slot) in self.constraints.iter().zip(&self.layout.constraints) {
-            if let Some(&equation) = multiplier.checked_sub(slot.multiplier).and_then(|at| slot.equations.get(at)) {
-                return format!("{} {}", constraint.name(), constraint.equation_name(equation).0);
-            }
-        }
-        format!("unknown {unknown}")
     }
 }
