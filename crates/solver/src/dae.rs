@@ -81,11 +81,21 @@ pub trait Dae {
     /// [ B                                           0  ]
     /// ```
     ///
-    /// `K` includes the derivative of `B^T lambda` and of `M a`.
+    /// `K` includes the derivative of `B^T lambda` and of `M a`. With `damping` and
+    /// `stiffness` zero only `M` and `B` are wanted: that happens once per accepted step of a
+    /// constrained system, so loads should then not be differentiated. Adding blocks in the same
+    /// order every time is the fastest.
     fn jacobian(&mut self, at: JacobianPoint<'_>, add: &mut dyn FnMut(usize, usize, &[f64])) -> Result<(), Evaluation>;
 
+    /// True for the velocity-level unknowns that are rotations (rad): statics limits their steps
+    /// by an angle and those of the others by a length.
+    fn is_rotation(&self, velocity: usize) -> bool {
+        let _ = velocity;
+        false
+    }
+
     /// Name of the unknown or equation, for messages: `.model.part translation x`,
-    /// `.model.JOINT_1 Zi.Xj`.
+    /// `.model.JOINT_1 Zi.Xj`. Unknowns are counted through velocities, then multipliers.
     fn describe(&self, unknown: usize) -> String;
 }
 

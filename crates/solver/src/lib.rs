@@ -1,7 +1,17 @@
 //! Integrators, statics, modes and linear algebra for constrained mechanical systems.
 //!
-//! The solver knows no mechanics: a problem is whatever implements [`Dae`].
+//! The solver knows no mechanics: a problem is whatever implements [`Dae`]. An analysis begins
+//! with [`initial`] conditions, goes on with [`integrate`], [`equilibrium`] or [`modes`], and
+//! tells an [`Observer`] what it finds.
 
 mod dae;
+pub mod initial;
+mod integrators;
+pub mod linear;
+#[cfg(test)]
+mod problems;
+mod state;
 
 pub use dae::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
+pub use integrators::{IntegratorOptions, Method, integrate, output_times};
+pub use state::{Control, Failure, Observer, Progress, Reason, Silent, Statistics, SystemState};
