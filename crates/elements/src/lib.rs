@@ -5,6 +5,7 @@ pub mod attributes;
 pub mod bodies;
 pub mod common;
 pub mod data;
+pub mod draw;
 pub mod forces;
 pub mod geometry;
 pub mod joints;
@@ -13,5 +14,7 @@ pub mod output;
 pub mod place;
 mod registry;
 pub mod shape;
+#[cfg(test)]
+mod testing;
 
 pub use registry::registry;

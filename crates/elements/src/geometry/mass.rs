@@ -93,44 +93,15 @@ fn density(database: &Database, part: ObjectId) -> Result<Option<f64>, Diagnosti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{place::local_pose, registry};
-    use model::{Array, Value};
-    use schema::{Registry, UnitSystem};
+    use crate::{place::local_pose, testing::Build};
+    use model::Value;
 
-    /// Builds models the way commands do, in the units of the export the numbers are from.
-    struct Build {
-        database: Database,
-        registry: Registry,
-    }
-
-    impl Build {
-        fn new() -> Build {
-            let mut database = Database::default();
-            database.set_units(UnitSystem::named("inch", "pound_mass", "second", "pound_force", "degrees").unwrap());
-            Build { database, registry: registry() }
-        }
-
-        fn make(&mut self, class: &str, parent: Option<ObjectId>, name: &str, cells: &[(&str, Value)]) -> ObjectId {
-            let id = self.database.create(self.registry.class(class).unwrap(), parent, name).unwrap();
-            for (cell, value) in cells {
-                assert!(self.database.object(id).class.cell_index(cell).is_some(), "{class} has no {cell}");
-                self.database.set_value(id, cell, value.clone());
-            }
-            id
-        }
-
-        fn marker(&mut self, part: ObjectId, name: &str, at: [f64; 3], turned: [f64; 3]) -> ObjectId {
-            let list = |v: [f64; 3]| Value::Array(Array::column(v.to_vec()));
-            self.make("marker", Some(part), name, &[("location", list(at)), ("orientation", list(turned))])
-        }
-
-        fn printed(&self, part: ObjectId, cm: ObjectId) -> (f64, DVec3, DMat3) {
-            let found = mass_properties(&self.database, part).unwrap().unwrap();
-            let axes = local_pose(&self.database, cm).rotation;
-            let units = self.database.units();
-            let inertia = found.inertia_along(&axes) / units.factor(schema::Dimension::INERTIA);
-            (found.mass / units.mass.si, found.centre / units.length.si, inertia)
-        }
+    fn printed(database: &Database, part: ObjectId, cm: ObjectId) -> (f64, DVec3, DMat3) {
+        let found = mass_properties(database, part).unwrap().unwrap();
+        let axes = local_pose(database, cm).rotation;
+        let units = database.units();
+        let inertia = found.inertia_along(&axes) / units.factor(schema::Dimension::INERTIA);
+        (found.mass / units.mass.si, found.centre / units.length.si, inertia)
     }
 
     /// Truth: a View export of a model with two steel links 6 and sqrt(180) inch long, 0.5 wide and 0.25
@@ -174,11 +145,12 @@ mod tests {
                     ("depth", size(0.25)),
                 ],
             );
-            let found = b.printed(part, cm);
+            let found = printed(&b.database, part, cm);
             assert!((found.0 - mass).abs() < 0.5e-10, "{} is not {mass}", found.0);
             assert!(found.1.abs_diff_eq(DVec3::from_array(centre), 1e-12));
-            for k in 0..3 {
-                assert!((found.2.col(k)[k] / ip[k] - 1.0).abs() < 1e-8, "{} is not {}", found.2.col(k)[k], ip[k]);
+            for (k, printed) in ip.iter().enumerate() {
+                let own = found.2.col(k)[k];
+                assert!((own / printed - 1.0).abs() < 1e-8, "{own} is not {printed}");
             }
         }
     }

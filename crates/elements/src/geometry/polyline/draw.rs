@@ -16,7 +16,7 @@ pub fn shape(database: &Database, id: ObjectId) -> Result<Placed, Diagnostic> {
     let on = on_body(database, id).ok_or_else(|| cells.trouble("geometry/no-body", "is on no body"))?;
     let numbers = database.si_numbers(id, "location").unwrap_or_default();
     let triples = numbers.chunks_exact(3);
-    if numbers.is_empty() || numbers.len() % 3 != 0 || numbers.iter().any(|x| !x.is_finite()) {
+    if numbers.is_empty() || !numbers.len().is_multiple_of(3) || numbers.iter().any(|x| !x.is_finite()) {
         return Err(
             cells.trouble("geometry/missing-value", "needs a `location` of three finite coordinates for each point")
         );
