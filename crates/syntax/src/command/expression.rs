@@ -8,6 +8,7 @@ use text::{Diagnostic, FileId, Span};
 
 use super::cursor::{self, Closing, is_blank, is_control, is_name};
 use super::tree::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
+use super::troubles::{out_of_range, unclosed_parenthesis, unclosed_quote, unexpected_character};
 use crate::number::{end_of_number, value_of};
 use crate::quoted::{end_of_string, unescape};
 use crate::{MAX_HEIGHT, MAX_NESTING};
@@ -305,12 +306,26 @@ impl<'a> ExpressionParser<'a> {
         let (arguments, height) = if self.peek() == Some(b')') {
             self.pos += 1;
             (Vec::new(), 0)
+        } else if name.eq_ignore_ascii_case("IF") {
+            self.arguments_of_if()?
         } else {
             self.list(Some(b')'))?
         };
         let kind = ExpressionKind::Call { function: name, function_span: span, arguments };
         let span = self.span(start, self.pos);
         self.node(span, kind, height)
+    }
+
+    /// `IF(e: a, b, c)`, as run-time functions write it; a comma in place of the colon is read too.
+    fn arguments_of_if(&mut self) -> Trees {
+        let (condition, height) = self.expression()?;
+        if !matches!(self.peek(), Some(b':' | b',')) {
+            return Err(self.unexpected("the `:` of `IF(e: a, b, c)`"));
+        }
+        self.pos += 1;
+        let (mut arguments, rest) = self.list(Some(b')'))?;
+        arguments.insert(0, condition);
+        Ok((arguments, height.max(rest)))
     }
 
     /// Offset behind a name with its dots and quoted parts.
@@ -396,34 +411,5 @@ impl<'a> ExpressionParser<'a> {
         };
         self.diagnostics.push(diagnostic);
         GivenUp
-    }
-}
-
-pub(super) fn unexpected_character(span: Span, found: &str) -> Diagnostic {
-    let code = found.chars().next().map_or(0, u32::from);
-    Diagnostic::error("syntax/unexpected-character", format!("a control character (U+{code:04X}) stands in a command"))
-        .at(span, "not a printable character")
-        .help("is this a command file?")
-}
-
-pub(super) fn out_of_range(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error("syntax/number-out-of-range", format!("the number {text} is too large"))
-        .at(span, "infinite")
-        .note("the largest number is 1.797E+308")
-}
-
-pub(super) fn unclosed_parenthesis(span: Span) -> Diagnostic {
-    Diagnostic::error("syntax/unclosed-parenthesis", "a parenthesis is not closed on its line")
-        .at(span, "opened here")
-        .note("an expression stands on one line; `&` does not continue it")
-}
-
-pub(super) fn unclosed_quote(span: Span, escaped_quote_behind: bool) -> Diagnostic {
-    let diagnostic =
-        Diagnostic::error("syntax/unclosed-quote", "a quoted string is not closed on its line").at(span, "opened here");
-    if escaped_quote_behind {
-        diagnostic.note("the last quote of the line belongs to the text, because a backslash stands before it")
-    } else {
-        diagnostic
     }
 }

@@ -6,6 +6,7 @@ mod comments;
 mod cursor;
 mod expression;
 mod parser;
+mod troubles;
 
 pub use comments::{Comment, Comments, comments};
 pub use parser::{Parser, parse, parse_expression};

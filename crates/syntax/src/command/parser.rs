@@ -5,9 +5,13 @@
 
 use text::{Diagnostic, FileId, Span};
 
-use super::cursor::{Closing, Cursor, Gap, is_control};
-use super::expression::{self, ExpressionParser, unclosed_parenthesis, unclosed_quote, unexpected_character};
+use super::cursor::{Closing, Cursor, Gap};
+use super::expression::ExpressionParser;
 use super::tree::{Argument, Expression, Item, ItemKind, Statement, StatementKind};
+use super::troubles::{
+    expression_without_parentheses, joined, misplaced, missing_keyword, missing_value, out_of_range, stray_text,
+    unclosed_parenthesis, unclosed_quote,
+};
 use crate::number::{end_of_number, value_of};
 use crate::quoted::{end_of_value_string, unescape};
 
@@ -203,13 +207,8 @@ impl<'a> Parser<'a> {
     fn missing_value(&mut self, name: Span, behind_comma: bool) {
         let text = self.slice(name);
         let span = self.span(self.last_end - 1, self.last_end);
-        let diagnostic = if behind_comma {
-            Diagnostic::error("syntax/missing-value", format!("a value of `{text}` is missing behind a comma"))
-                .at(span, "a value must follow")
-        } else {
-            Diagnostic::error("syntax/missing-value", format!("`{text}` has no value")).at(span, "a value must follow")
-        };
-        self.diagnostics.push(diagnostic.help("a value on the next line needs `&` at the end of this one"));
+        let at_line_end = self.cursor.end.is_some();
+        self.diagnostics.push(missing_value(span, text, behind_comma, at_line_end));
     }
 
     /// One value; none if no value begins here.
@@ -309,15 +308,7 @@ impl<'a> Parser<'a> {
         self.cursor.pos = close;
         self.last_end = close;
         if unsigned_number_end(self.cursor.bytes, start) != Some(open) {
-            let text = self.slice(span);
-            self.diagnostics.push(
-                Diagnostic::error(
-                    "syntax/expression-without-parentheses",
-                    format!("`{text}` is an expression without parentheses around it"),
-                )
-                .at(span, "read as plain text")
-                .fix(format!("write `({text})`"), span, format!("({text})")),
-            );
+            self.diagnostics.push(expression_without_parentheses(span, self.slice(span)));
         }
         Some(span)
     }
@@ -325,16 +316,7 @@ impl<'a> Parser<'a> {
     fn misplaced(&mut self, start: usize, end: usize) {
         let span = self.span(start, end);
         let found = self.slice(span);
-        let diagnostic = if found.bytes().next().is_some_and(is_control) {
-            unexpected_character(span, found)
-        } else if found == "&" {
-            Diagnostic::error("syntax/misplaced-continuation", "`&` stands in the middle of a line")
-                .at(span, "only a comment may follow it")
-        } else {
-            Diagnostic::error("syntax/unexpected-token", format!("`{found}` stands where a word is needed"))
-                .at(span, "a keyword or `name = value` is needed here")
-        };
-        self.diagnostics.push(diagnostic);
+        self.diagnostics.push(misplaced(span, found));
         self.last_end = end;
         self.cursor.pos = end;
         self.cursor.skip_statement();
@@ -369,7 +351,7 @@ impl<'a> Parser<'a> {
         let value = value_of(&text[..end]);
         if value.is_infinite() {
             let span = Span { end: word.start + end as u32, ..word };
-            self.diagnostics.push(expression::out_of_range(span, &text[..end]));
+            self.diagnostics.push(out_of_range(span, &text[..end]));
         }
         let unit = (!unit.is_empty()).then(|| unit.into());
         Item { span: word, kind: ItemKind::Number { value, unit } }
@@ -388,27 +370,4 @@ impl<'a> Parser<'a> {
 fn unsigned_number_end(bytes: &[u8], at: usize) -> Option<usize> {
     let sign = usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
     end_of_number(bytes, at + sign)
-}
-
-fn missing_keyword(word: Span, text: &str) -> Diagnostic {
-    Diagnostic::error("syntax/missing-keyword", format!("`{text}` is given a value, but no command stands before it"))
-        .at(word, "a command begins with its keywords")
-        .help("if this belongs to the command above, end the line before with `&`")
-        .adams(format!("'{text}' is not a valid keyword. You may have misspelled"))
-        .adams("the keyword or you may be missing a continuation character(&)")
-        .adams("on the previous line.")
-}
-
-fn stray_text(span: Span, text: &str) -> Diagnostic {
-    let text = text.lines().next().unwrap_or_default();
-    Diagnostic::error("syntax/stray-text", format!("`{text}` stands behind a complete value"))
-        .at(span, "neither a further value nor an argument")
-        .note("values are separated by commas; an argument is `name = value`; text with blanks needs quotes")
-        .adams(format!("'{}' is not a valid parameter.", text.split_ascii_whitespace().next().unwrap_or_default()))
-}
-
-fn joined(equals: Span) -> Diagnostic {
-    Diagnostic::new(text::Severity::Note, "syntax/continued-without-mark", "the value is taken from the next line")
-        .at(equals, "the line ends here without `&`")
-        .help("Adams View needs `&` at the end of this line")
 }
