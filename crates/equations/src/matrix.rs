@@ -12,7 +12,7 @@ pub(crate) fn blocks(m: &[[f64; 6]; 6]) -> Blocks {
     [[block(0, 0), block(0, 3)], [block(3, 0), block(3, 3)]]
 }
 
-pub(crate) fn rows(blocks: &Blocks) -> [[f64; 6]; 6] {
+pub(crate) fn rows_of(blocks: &Blocks) -> [[f64; 6]; 6] {
     let mut m = [[0.0; 6]; 6];
     for (block_row, pair) in blocks.iter().enumerate() {
         for (block_column, block) in pair.iter().enumerate() {
@@ -39,4 +39,14 @@ pub(crate) fn six(first: DVec3, second: DVec3) -> [f64; 6] {
 /// `a b^T`.
 pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
     DMat3::from_cols(a * b.x, a * b.y, a * b.z)
+}
+
+/// `skew(a) m`: `a` crossed with each column.
+pub(crate) fn skew_times(a: DVec3, m: &DMat3) -> DMat3 {
+    DMat3::from_cols(a.cross(m.x_axis), a.cross(m.y_axis), a.cross(m.z_axis))
+}
+
+/// `m skew(a)`.
+pub(crate) fn times_skew(m: &DMat3, a: DVec3) -> DMat3 {
+    DMat3::from_cols(m.y_axis * a.z - m.z_axis * a.y, m.z_axis * a.x - m.x_axis * a.z, m.x_axis * a.y - m.y_axis * a.x)
 }

@@ -5,7 +5,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::matrix::{Blocks, blocks, halves, rows};
+use crate::matrix::{Blocks, blocks, halves, rows_of, skew_times, times_skew};
 use crate::{FrameId, FrameLoad, FrameMotion, GROUND, Loads, State, Tangent, skew};
 
 /// Motion of frame I relative to frame J, in J axes.
@@ -65,41 +65,14 @@ pub fn apply_following(
     }
 }
 
-/// Derivative of one vector with respect to one body's translation, spin, velocity and angular
-/// velocity; everything in ground axes.
+/// Derivative of a load at I with respect to one body: columns for its translation and for its
+/// spin (ground axes), stiffness and damping already added up with the wanted factors.
 #[derive(Clone, Copy)]
-struct Partial {
-    r: DMat3,
-    phi: DMat3,
-    v: DMat3,
-    w: DMat3,
-}
-
-impl Partial {
-    const ZERO: Partial = Partial { r: DMat3::ZERO, phi: DMat3::ZERO, v: DMat3::ZERO, w: DMat3::ZERO };
-
-    fn left(&self, m: DMat3) -> Partial {
-        Partial { r: m * self.r, phi: m * self.phi, v: m * self.v, w: m * self.w }
-    }
-
-    fn plus(&self, other: &Partial) -> Partial {
-        Partial { r: self.r + other.r, phi: self.phi + other.phi, v: self.v + other.v, w: self.w + other.w }
-    }
-
-    fn minus(&self) -> Partial {
-        self.left(DMat3::from_diagonal(DVec3::NEG_ONE))
-    }
-
-    fn spun(&self, m: DMat3) -> Partial {
-        Partial { phi: self.phi + m, ..*self }
-    }
-}
-
-/// Force and torque at I's origin on I's body: derivative with respect to one body.
-#[derive(Clone, Copy)]
-struct LoadPartial {
-    f: Partial,
-    t: Partial,
+struct Columns {
+    /// Force and torque by translation.
+    r: [DMat3; 2],
+    /// Force and torque by spin.
+    phi: [DMat3; 2],
 }
 
 /// Adds the derivative of what [`apply_between`] adds.
@@ -120,11 +93,21 @@ pub fn tangent_between(
 ) {
     let k = blocks(d_load_d_displacement);
     let c = blocks(d_load_d_velocity);
-    between(state, i, j, true, load, &k, &c, tangent);
+    between(state, i, j, true, load, &k, Some(&c), tangent);
 }
 
 /// [`tangent_between`] with 3x3 blocks, and with the reaction on J left out on demand.
-#[allow(clippy::too_many_arguments)] // one call site per public form, all of them in this crate
+///
+/// With the changes of displacement and relative spin, turned into ground axes,
+///
+/// ```text
+/// dd  = dr_I - dr_J + d x dphi_J         psi = dphi_I - dphi_J
+/// dV  = dv_I - dv_J - dw_J x d - w_J x (dr_I - dr_J) - dphi_J x V
+/// dW  = dw_I - dw_J - dphi_J x W
+/// ```
+///
+/// the load changes by `K [dd; psi] + C [dV; dW] + dphi_J x load`.
+#[allow(clippy::too_many_arguments)] // one call for each public form, all of them in this crate
 pub(crate) fn between(
     state: &State,
     i: FrameId,
@@ -132,77 +115,54 @@ pub(crate) fn between(
     reaction: bool,
     load: &[f64; 6],
     k: &Blocks,
-    c: &Blocks,
+    c: Option<&Blocks>,
     tangent: &mut dyn Tangent,
 ) {
     let (i, j) = (state.frame(i), state.frame(j));
+    let (stiffness, damping) = (tangent.stiffness(), tangent.damping());
     let (rot, to_j) = (j.rot_gi, j.rot_gi.transpose());
     let (f, t) = halves(load);
-    let (f_g, t_g) = (rot * f, rot * t);
-    let turn = |m: &DMat3| rot * *m * to_j;
-    let k = k.each_ref().map(|row| row.each_ref().map(turn));
-
-    // Derivative of displacement and relative spin, turned into ground axes:
-    // dd = dr_I - dr_J + d x dphi_J, psi = dphi_I - dphi_J.
+    let loads = [rot * f, rot * t];
     let d = i.r_gi_g - j.r_gi_g;
     let arm_j = j.r_bi_g + d;
-    let (skew_arm_i, skew_arm_j) = (skew(i.r_bi_g), skew(arm_j));
-    let one = DMat3::IDENTITY;
-    let displacement = [
-        LoadPartial {
-            f: Partial { r: one, phi: -skew_arm_i, ..Partial::ZERO },
-            t: Partial { phi: one, ..Partial::ZERO },
-        },
-        LoadPartial {
-            f: Partial { r: -one, phi: skew_arm_j, ..Partial::ZERO },
-            t: Partial { phi: -one, ..Partial::ZERO },
-        },
-    ];
-    let mut partials = displacement.map(|x| multiply(&k, &x));
+    let turn = |m: DMat3| rot * m * to_j;
 
-    if c.iter().flatten().any(|block| *block != DMat3::ZERO) {
-        let c = c.each_ref().map(|row| row.each_ref().map(turn));
-        for (partial, x) in partials.iter_mut().zip(&velocity_partials(i, j)) {
-            let rate = multiply(&c, x);
-            *partial = LoadPartial { f: partial.f.plus(&rate.f), t: partial.t.plus(&rate.t) };
+    let (w_i, w_j) = (i.w_gi_g, j.w_gi_g);
+    let moving = stiffness != 0.0 && (w_i != DVec3::ZERO || w_j != DVec3::ZERO || i.v_gi_g != j.v_gi_g);
+    let (spin_i, spin_j) = if moving { velocity_by_spin(i, j) } else { (DMat3::ZERO, DMat3::ZERO) };
+    let empty = Columns { r: [DMat3::ZERO; 2], phi: [DMat3::ZERO; 2] };
+    let (mut by_i, mut by_j) = (empty, empty);
+    for row in 0..2 {
+        let [mut by_d, mut by_psi] = k[row].map(|block| block * stiffness);
+        if let Some(c) = c {
+            by_d += c[row][0] * damping;
+            by_psi += c[row][1] * damping;
         }
+        let (by_d, by_psi) = (turn(by_d), turn(by_psi));
+        by_i.r[row] = by_d;
+        by_i.phi[row] = by_psi - times_skew(&by_d, i.r_bi_g);
+        by_j.phi[row] = times_skew(&by_d, arm_j) - by_psi - skew(loads[row] * stiffness);
+        if let (Some(c), true) = (c, moving) {
+            let [by_v, by_w] = c[row].map(|block| turn(block * stiffness));
+            let turned = times_skew(&by_w, w_i);
+            by_i.r[row] -= times_skew(&by_v, w_j);
+            by_i.phi[row] += by_v * spin_i - turned;
+            by_j.phi[row] += by_v * spin_j + turned;
+        }
+        by_j.r[row] = -by_i.r[row];
     }
-
-    // The axes of J turn the load with them.
-    partials[1].f = partials[1].f.spun(-skew(f_g));
-    partials[1].t = partials[1].t.spun(-skew(t_g));
-    add_rows(state, i, reaction.then_some(j), f_g, t_g, &[(i, partials[0]), (j, partials[1])], tangent);
+    add_rows(state, i, reaction.then_some(j), loads, &[(i, by_i), (j, by_j)], true, tangent);
 }
 
-/// Derivative of the relative velocities with respect to the motion of both bodies, turned into
-/// ground axes.
-fn velocity_partials(i: &FrameMotion, j: &FrameMotion) -> [LoadPartial; 2] {
+/// Derivative of the relative velocity (ground axes) with respect to the spins of I's and J's
+/// bodies; that of the relative angular velocity is `-skew(w_I)` and `skew(w_I)`.
+fn velocity_by_spin(i: &FrameMotion, j: &FrameMotion) -> (DMat3, DMat3) {
     let d = i.r_gi_g - j.r_gi_g;
     let (w_i, w_j) = (i.w_gi_g, j.w_gi_g);
-    let u = i.v_gi_g - j.v_gi_g - w_j.cross(d);
-    let (skew_w_i, skew_w_j) = (skew(w_i), skew(w_j));
-    let (skew_arm_i, skew_arm_j) = (skew(i.r_bi_g), skew(j.r_bi_g + d));
-    let one = DMat3::IDENTITY;
-    [
-        LoadPartial {
-            f: Partial { r: -skew_w_j, phi: skew_w_j * skew_arm_i - skew(w_i.cross(i.r_bi_g)), v: one, w: -skew_arm_i },
-            t: Partial { phi: -skew_w_i, w: one, ..Partial::ZERO },
-        },
-        LoadPartial {
-            f: Partial {
-                r: skew_w_j,
-                phi: skew(w_j.cross(j.r_bi_g)) - skew(d) * skew_w_j - skew_w_j * skew(j.r_bi_g) + skew(u),
-                v: -one,
-                w: skew_arm_j,
-            },
-            // w_J + (w_I - w_J): the spin of J turns its own angular velocity and the axes.
-            t: Partial { phi: skew_w_i, w: -one, ..Partial::ZERO },
-        },
-    ]
-}
-
-fn multiply(m: &Blocks, x: &LoadPartial) -> LoadPartial {
-    LoadPartial { f: x.f.left(m[0][0]).plus(&x.t.left(m[0][1])), t: x.f.left(m[1][0]).plus(&x.t.left(m[1][1])) }
+    let v = i.v_gi_g - j.v_gi_g - w_j.cross(d);
+    let by_i = skew_times(w_j, &skew(i.r_bi_g)) - skew(w_i.cross(i.r_bi_g));
+    let by_j = skew(w_j.cross(j.r_bi_g) + v) - skew_times(d, &skew(w_j)) - skew_times(w_j, &skew(j.r_bi_g));
+    (by_i, by_j)
 }
 
 /// Adds the derivative of what [`apply_following`] adds, for constant components in `axes`.
@@ -216,61 +176,65 @@ pub fn tangent_following(
 ) {
     let axes = state.frame_or_global(axes);
     let (f, t) = halves(load);
-    let (f_g, t_g) = (axes.rot_gi * f, axes.rot_gi * t);
-    let zero = LoadPartial { f: Partial::ZERO, t: Partial::ZERO };
-    let turned = LoadPartial { f: zero.f.spun(-skew(f_g)), t: zero.t.spun(-skew(t_g)) };
+    let loads = [axes.rot_gi * f, axes.rot_gi * t];
+    let stiffness = tangent.stiffness();
+    let zero = Columns { r: [DMat3::ZERO; 2], phi: [DMat3::ZERO; 2] };
+    let turned = Columns { phi: loads.map(|vector| -skew(vector * stiffness)), ..zero };
     let (i, j) = (state.frame(i), j.map(|j| state.frame(j)));
-    add_rows(state, i, j, f_g, t_g, &[(i, zero), (axes, turned)], tangent);
+    add_rows(state, i, j, loads, &[(i, zero), (axes, turned)], false, tangent);
+    if let Some(j) = j {
+        // J moves the arm of the reaction only.
+        let zero = [DMat3::ZERO; 2];
+        let (r, phi) = arm_by_j(i, j, loads, stiffness);
+        emit(state, j, j, [zero[0], r], [zero[1], phi], tangent);
+    }
 }
 
-/// Adds rows for the loads on I's body and on J's body from the derivative of the load on I.
-///
-/// `columns` holds the derivative with respect to the body of each frame named; the first is I.
+/// Change of the reaction's torque `-t - p x f` about J's centre of mass with the motion of J's
+/// body, for fixed `f` and `t`: the arm `p` to I changes, and the components are J's body's.
+fn arm_by_j(i: &FrameMotion, j: &FrameMotion, [f, t]: [DVec3; 2], stiffness: f64) -> (DMat3, DMat3) {
+    let arm = j.r_bi_g + i.r_gi_g - j.r_gi_g;
+    (-skew(f * stiffness), skew((-t - arm.cross(f)) * stiffness))
+}
+
+/// Adds rows for the loads on I's body and, if there is a J, on J's body, from the derivative of
+/// the load on I with respect to the bodies of two frames; the first is I, the second J or not.
 fn add_rows(
     state: &State,
     i: &FrameMotion,
     j: Option<&FrameMotion>,
-    f_g: DVec3,
-    t_g: DVec3,
-    columns: &[(&FrameMotion, LoadPartial); 2],
+    loads: [DVec3; 2],
+    columns: &[(&FrameMotion, Columns); 2],
+    second_is_j: bool,
     tangent: &mut dyn Tangent,
 ) {
-    // Torque about the centre of mass of I's body: t + c x f, seen from the body.
-    let arm_i = skew(i.r_bi_g);
-    let torque_i = t_g + i.r_bi_g.cross(f_g);
-    for (at, (frame, partial)) in columns.iter().enumerate() {
-        let mut moment = partial.t.plus(&partial.f.left(arm_i));
+    let stiffness = tangent.stiffness();
+    let [f, t] = loads;
+    let skew_f_arm = skew_times(f * stiffness, &skew(i.r_bi_g));
+    // Torque about a centre of mass with the arm to I.
+    let moment = |arm: DVec3, by: &[DMat3; 2]| by[1] + skew_times(arm, &by[0]);
+    for (at, (frame, by)) in columns.iter().enumerate() {
+        let mut spin = moment(i.r_bi_g, &by.phi);
         if at == 0 {
-            moment = moment.spun(skew(f_g) * arm_i + skew(torque_i));
+            spin += skew_f_arm + skew((t + i.r_bi_g.cross(f)) * stiffness);
         }
-        emit(state, i, frame, &partial.f, &moment, tangent);
+        emit(state, i, frame, [by.r[0], moment(i.r_bi_g, &by.r)], [by.phi[0], spin], tangent);
     }
     let Some(j) = j else { return };
     let arm = j.r_bi_g + i.r_gi_g - j.r_gi_g;
-    for (frame, partial) in columns {
-        let moment = partial.t.plus(&partial.f.left(skew(arm))).minus();
-        emit(state, j, frame, &partial.f.minus(), &moment, tangent);
+    for (at, (frame, by)) in columns.iter().enumerate() {
+        let mut translation = -moment(arm, &by.r);
+        let mut spin = -moment(arm, &by.phi);
+        if at == 0 {
+            translation += skew(f * stiffness);
+            spin -= skew_f_arm;
+        } else if second_is_j {
+            let (by_r, by_phi) = arm_by_j(i, j, loads, stiffness);
+            translation += by_r;
+            spin += by_phi;
+        }
+        emit(state, j, frame, [-by.r[0], translation], [-by.phi[0], spin], tangent);
     }
-    add_arm_of_reaction(state, i, j, f_g, t_g, tangent);
-}
-
-/// Derivative of the reaction's torque `-t - p x f` about J's centre of mass, for fixed `f` and
-/// `t`: the arm `p` from there to I changes, and the components are taken in J's body.
-fn add_arm_of_reaction(
-    state: &State,
-    i: &FrameMotion,
-    j: &FrameMotion,
-    f_g: DVec3,
-    t_g: DVec3,
-    tangent: &mut dyn Tangent,
-) {
-    let arm = j.r_bi_g + i.r_gi_g - j.r_gi_g;
-    let torque = -t_g - arm.cross(f_g);
-    let skew_f = skew(f_g);
-    let by_i = Partial { r: skew_f, phi: -(skew_f * skew(i.r_bi_g)), ..Partial::ZERO };
-    let by_j = Partial { r: -skew_f, phi: skew(torque), ..Partial::ZERO };
-    emit(state, j, i, &Partial::ZERO, &by_i, tangent);
-    emit(state, j, j, &Partial::ZERO, &by_j, tangent);
 }
 
 /// Turns the torque row and the spin columns into body axes and hands the block over.
@@ -278,18 +242,18 @@ fn emit(
     state: &State,
     row: &FrameMotion,
     column: &FrameMotion,
-    force: &Partial,
-    torque: &Partial,
+    by_translation: [DMat3; 2],
+    by_spin: [DMat3; 2],
     tangent: &mut dyn Tangent,
 ) {
     if row.body == GROUND || column.body == GROUND {
         return;
     }
-    let (stiffness, damping) = (tangent.stiffness(), tangent.damping());
     let to_row = state.rotation(row.body).transpose();
     let from_column = state.rotation(column.body);
-    let translations = |p: &Partial| p.r * stiffness + p.v * damping;
-    let rotations = |p: &Partial| (p.phi * stiffness + p.w * damping) * from_column;
-    let block = [[translations(force), rotations(force)], [to_row * translations(torque), to_row * rotations(torque)]];
-    tangent.add(row.body, column.body, &rows(&block));
+    let block = [
+        [by_translation[0], by_spin[0] * from_column],
+        [to_row * by_translation[1], to_row * by_spin[1] * from_column],
+    ];
+    tangent.add(row.body, column.body, &rows_of(&block));
 }

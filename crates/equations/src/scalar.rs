@@ -72,8 +72,7 @@ pub fn tangent_scalar(
             stiffness[0][0] = (DMat3::IDENTITY - outer(direction, direction)) * (value / length);
         }
     }
-    let no_damping = [[DMat3::ZERO; 2]; 2];
-    between(state, i, j, reaction, &unit.map(|u| value * u), &stiffness, &no_damping, tangent);
+    between(state, i, j, reaction, &unit.map(|u| value * u), &stiffness, None, tangent);
     tangent_gradient(state, i, reaction.then_some(j), Some(j), &unit, gradient, tangent);
 }
 

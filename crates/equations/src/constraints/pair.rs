@@ -1,6 +1,5 @@
 //! A constraint of several primitive equations between frames I and J: every joint and primitive.
 
-use glam::DMat3;
 use solver::Evaluation;
 
 use super::equation::{Equation, Terms};
@@ -65,7 +64,7 @@ impl Ends {
     pub(super) fn add_tangent(&self, state: &State, sum: &Terms, tangent: &mut dyn Tangent) {
         let load = six(-sum.by_d, -sum.by_psi);
         let stiffness = sum.stiffness().map(|row| row.map(|block| -block));
-        between(state, self.i, self.j, true, &load, &stiffness, &[[DMat3::ZERO; 2]; 2], tangent);
+        between(state, self.i, self.j, true, &load, &stiffness, None, tangent);
     }
 
     pub(super) fn load_at(&self, state: &State, sum: &Terms, side: Side) -> FrameLoad {
