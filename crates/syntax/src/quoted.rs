@@ -62,9 +62,8 @@ pub(crate) fn unescape(quoted: &str) -> String {
     meaning
 }
 
-/// A double-quoted string that means `text`.
-#[cfg(test)]
-pub(crate) fn quote(text: &str) -> String {
+/// The double-quoted string that means `text`, for whoever writes command files.
+pub fn quote(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 

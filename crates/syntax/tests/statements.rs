@@ -27,6 +27,12 @@ fn a_comment_may_follow_a_mark_and_stand_between_continued_lines() {
 }
 
 #[test]
+fn a_mark_inside_a_comment_continues_nothing() {
+    assert_eq!(shape("a b=1 ! c &\nd e=2"), "a | b = 1.0 ; d | e = 2.0");
+    assert_eq!(shape("a b=1 & ! c &\ne=2"), "a | b = 1.0 | e = 2.0");
+}
+
+#[test]
 fn a_mark_in_a_comment_outside_a_command_continues_nothing() {
     assert_eq!(shape("! one &\n! two &\nmodel create"), "model create");
 }
@@ -48,6 +54,17 @@ fn a_value_may_stand_on_the_line_behind_its_equals_sign() {
     assert_eq!(
         common::statement(text, &flexure_syntax::command::parse(FileId(0), text).0[0]),
         "a | b = beam1 | c = 3.0"
+    );
+}
+
+/// The help page of the beam prints its example so, with a placeholder where numbers belong.
+#[test]
+fn a_placeholder_with_blanks_is_reported_and_the_next_argument_is_read() {
+    let text = "force modify beam &\nterms =\na 6x6 matrix &\ni_marker =\nmarker_1 &\nj_marker =\nmarker_2\n";
+    assert_eq!(codes(text), [("syntax/continued-without-mark", "="), ("syntax/stray-text", "6x6 matrix")]);
+    assert_eq!(
+        common::statement(text, &flexure_syntax::command::parse(FileId(0), text).0[0]),
+        "force modify beam | terms = a | i_marker = marker_1 | j_marker = marker_2"
     );
 }
 

@@ -130,6 +130,14 @@ mod tests {
     }
 
     #[test]
+    fn a_line_is_given_without_its_line_break() {
+        let mut sources = Sources::default();
+        let file = sources.add("a.cmd", "ab\r\n\nc");
+        let lines: Vec<_> = (0..=6).map(|at| sources.line_range(file, at)).collect();
+        assert_eq!(lines, [0..2, 0..2, 0..2, 0..2, 4..4, 5..6, 5..6]);
+    }
+
+    #[test]
     fn bytes_that_are_not_utf8_are_read_as_code_page_1252() {
         let mut sources = Sources::default();
         let file = sources.add_bytes("a.cmd", vec![b'!', 0xe4, 0x80]);

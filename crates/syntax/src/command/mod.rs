@@ -8,6 +8,7 @@ mod expression;
 mod parser;
 mod troubles;
 
+pub use crate::quoted::quote;
 pub use comments::{Comment, Comments, comments};
 pub use parser::{Parser, parse, parse_expression};
 pub use tree::{

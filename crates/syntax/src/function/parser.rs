@@ -24,7 +24,8 @@ struct Parser<'a> {
     diagnostics: Vec<Diagnostic>,
 }
 
-/// A whole text as one run-time function. `base_offset` is where the text begins in the file.
+/// A whole text as one run-time function. `base_offset` is where the text begins in the file; spans
+/// are exact as long as the text is a verbatim part of the file (one string without escapes).
 /// What is not understood becomes one broken node with one diagnostic.
 pub fn parse(file: FileId, text: &str, base_offset: usize) -> (FunctionExpression, Vec<Diagnostic>) {
     let mut parser =
