@@ -10,8 +10,11 @@ mod integrators;
 pub mod linear;
 #[cfg(test)]
 mod problems;
+pub mod redundancy;
 mod state;
+mod statics;
 
 pub use dae::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
 pub use integrators::{IntegratorOptions, Method, integrate, output_times};
 pub use state::{Control, Failure, Observer, Progress, Reason, Silent, Statistics, SystemState};
+pub use statics::{StaticMethod, StaticOptions, StaticReport, equilibrium};

@@ -1,5 +1,6 @@
 //! Named problems with known answers, and the tests that every integrator must pass on them.
 
+mod elastica;
 mod oscillator;
 mod pendulum;
 

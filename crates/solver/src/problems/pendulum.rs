@@ -76,7 +76,7 @@ impl Dae for Pendulum {
 mod tests {
     use super::*;
     use crate::problems::Recorder;
-    use crate::{IntegratorOptions, Method, SystemState, initial, integrate, output_times};
+    use crate::{IntegratorOptions, Method, StaticOptions, SystemState, equilibrium, initial, integrate, output_times};
 
     fn pendulum() -> Pendulum {
         Pendulum { mass: 3.0, length: 1.0, gravity: 9.80665, scale: 1.0 }
@@ -173,6 +173,25 @@ mod tests {
         let mut state = SystemState::at_rest(&problem, 0.0, vec![1.2, 0.6]);
         initial::displacements(&mut problem, &mut state, &[1.0, initial::EXACT]).unwrap();
         assert!((state.q[1] - 0.6).abs() < 1e-9 && (state.q[0] - 0.8).abs() < 1e-9, "{:?}", state.q);
+    }
+
+    /// Truth: at rest the rod is vertical and carries m g; released below the pin, the mass hangs
+    /// (above it there is a second, unstable equilibrium, which Newton's method may find). There is
+    /// no stiffness along the path, and the speed is ignored.
+    #[test]
+    fn the_rod_is_vertical_in_equilibrium() {
+        for angle in [0.0, 0.3, 1.0, 1.5, 1.6, 2.5, 3.1] {
+            let mut problem = pendulum();
+            let mut state = released(angle);
+            state.v = vec![1.0, 2.0];
+            let options = StaticOptions { error: 1e-8, imbalance: 1e-8, tlimit: 0.2, ..Default::default() };
+            let report = equilibrium(&mut problem, &mut state, &options, &mut crate::Silent).unwrap();
+            assert!(state.q[0].abs() < 1e-7, "{angle}: {state:?} {report:?}");
+            assert!((state.lambda[0].abs() - 3.0 * 9.80665).abs() < 1e-6, "{angle}: {state:?}");
+            if angle < 1.55 {
+                assert!(state.q[1] < 0.0, "{angle}: {state:?} {report:?}");
+            }
+        }
     }
 
     #[test]
