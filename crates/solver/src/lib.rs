@@ -8,6 +8,7 @@ mod dae;
 pub mod initial;
 mod integrators;
 pub mod linear;
+mod modes;
 #[cfg(test)]
 mod problems;
 pub mod redundancy;
@@ -16,5 +17,6 @@ mod statics;
 
 pub use dae::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
 pub use integrators::{IntegratorOptions, Method, integrate, output_times};
+pub use modes::{Mode, ModeOptions, Modes, modes};
 pub use state::{Control, Failure, Observer, Progress, Reason, Silent, Statistics, SystemState};
 pub use statics::{StaticMethod, StaticOptions, StaticReport, equilibrium};

@@ -82,9 +82,9 @@ impl Beam {
         let (s, c, [rx, ry], [fx, fy, _]) = (self.sin, self.cos, self.arm, self.load);
         let de = [[c, s, 0.0, -c, -s, ry], [-s, c, 0.0, s, -c, -rx], [0.0, 0.0, 1.0, 0.0, 0.0, -1.0]];
         let mut df = [[0.0; 6]; 3];
-        for r in 0..3 {
-            for col in 0..6 {
-                df[r][col] = -(0..3).map(|k| self.k[r][k] * de[k][col]).sum::<f64>();
+        for (row, k) in df.iter_mut().zip(&self.k) {
+            for (col, value) in row.iter_mut().enumerate() {
+                *value = -(0..3).map(|i| k[i] * de[i][col]).sum::<f64>();
             }
         }
         let both = stiffness + viscous;

@@ -1,8 +1,8 @@
 //! Named problems with known answers, and the tests that every integrator must pass on them.
 
 mod elastica;
-mod oscillator;
-mod pendulum;
+pub mod oscillator;
+pub mod pendulum;
 
 use crate::{Control, Dae, Observer, SystemState};
 
