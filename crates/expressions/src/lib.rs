@@ -1,1 +1,30 @@
-//! (see ARCHITECTURE.md)
+//! Expressions of the command language: binding names to objects, evaluating, printing, and
+//! re-evaluating what depends on a changed value.
+//!
+//! [`bind`] turns the tree of what was typed into a [`model::Expression`] that holds its objects by
+//! reference, so that it follows renaming; parts in `EVAL(...)` are evaluated at once.
+//! [`evaluate`] gives the value in the units in force and lists every cell it read. [`compute`]
+//! adds what a cell needs (frame, type), [`recompute`] does that for everything that depends on
+//! changed cells. [`print`] writes the normalised text that exports show.
+
+mod scope;
+
+mod names;
+
+mod bind;
+mod dimension;
+
+mod arithmetic;
+mod attributes;
+mod evaluate;
+mod functions;
+
+mod cells;
+mod print;
+
+pub use bind::{Bound, bind};
+pub use cells::{compute, convert_location, convert_orientation, recompute};
+pub use evaluate::{Evaluated, evaluate};
+pub use names::{find_object, object_of};
+pub use print::{number_text, print};
+pub use scope::Scope;

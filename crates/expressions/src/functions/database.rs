@@ -1,0 +1,293 @@
+//! Functions that ask the modelling database about objects and their cells.
+
+use model::{Cell, Database, ObjectId, Source, Value, quoted};
+use schema::{Dimension, Kind};
+
+use super::{Arguments, Function, function, momentary, strings::matches};
+use crate::{
+    arithmetic::flag,
+    attributes::{Attribute, attribute, type_word},
+    names::{Steps, find_object, reach},
+    print::{number_text, print},
+    scope::Outcome,
+};
+
+pub const TABLE: &[Function] = &[
+    function("DB_ANCESTOR", 2, 2, |a| {
+        let (object, wanted) = (a.object(0)?, a.text(1)?);
+        let mut next = a.database().object(object).parent;
+        while let Some(parent) = next {
+            if is_type(a.database(), parent, &wanted) {
+                return Ok(Value::Object(parent));
+            }
+            next = a.database().object(parent).parent;
+        }
+        Ok(Value::Nothing)
+    }),
+    function("DB_CHILDREN", 2, 2, |a| below(a, usize::MAX)),
+    function("DB_COUNT", 2, 2, |a| {
+        let (object, name) = (a.object(0)?, a.text(1)?);
+        let value = a.evaluator.attribute(object, &name)?;
+        Ok(count(match value {
+            Value::Array(array) => array.values.len(),
+            Value::Texts(list) => list.len(),
+            Value::Objects(list) => list.len(),
+            Value::Nothing => 0,
+            _ => 1,
+        }))
+    }),
+    function("DB_DEFAULT", 2, 2, |a| {
+        let wanted = a.text(1)?.to_ascii_lowercase();
+        Ok(current(a.database(), &wanted).map_or(Value::Nothing, Value::Object))
+    }),
+    function("DB_DEFAULT_NAME", 2, 2, |a| {
+        let wanted = a.text(1)?.to_ascii_lowercase();
+        let found = current(a.database(), &wanted);
+        Ok(Value::Text(found.map_or_else(String::new, |o| a.database().full_name(o))))
+    }),
+    function("DB_DESCENDANTS", 4, 4, |a| {
+        let levels = a.count(3)?;
+        let Value::Objects(mut found) = below(a, if levels == 0 { usize::MAX } else { levels })? else {
+            return Ok(Value::Nothing);
+        };
+        let wanted = a.integer(2)?;
+        let database = a.database();
+        found.retain(|&o| {
+            let own = database.flag(o, "active").unwrap_or(true);
+            let parent = database.model_of(o).is_none_or(|m| database.flag(m, "active").unwrap_or(true));
+            match wanted {
+                -1 => !(own && parent),
+                1 => parent,
+                2 => own && parent,
+                _ => true,
+            }
+        });
+        Ok(Value::Objects(found))
+    }),
+    function("DB_EXISTS", 1, 1, |a| {
+        Ok(flag(match &a.values[0] {
+            Value::Text(name) => names_something(a.database(), name),
+            other => other.as_object().is_some_and(|o| a.database().get(o).is_some()),
+        }))
+    }),
+    function("DB_FILTER_NAME", 2, 2, |a| {
+        let (mut objects, pattern) = (a.objects(0)?, a.text(1)?);
+        objects.retain(|o| a.database().get(*o).is_some_and(|o| matches(&pattern, &o.name)));
+        Ok(Value::Objects(objects))
+    }),
+    function("DB_FILTER_TYPE", 2, 2, |a| {
+        let (mut objects, wanted) = (a.objects(0)?, a.text(1)?);
+        objects.retain(|o| is_type(a.database(), *o, &wanted));
+        Ok(Value::Objects(objects))
+    }),
+    function("DB_FULL_NAME_FROM_SHORT", 1, 1, |a| {
+        let name = a.text(0)?;
+        Ok(Value::Text(find_object(a.database(), &name).map_or_else(String::new, |o| a.database().full_name(o))))
+    }),
+    function("DB_IMMEDIATE_CHILDREN", 2, 2, |a| below(a, 1)),
+    function("DB_OBJECT_COUNT", 1, 1, |a| Ok(count(a.objects(0)?.len()))),
+    function("DB_OBJ_EXISTS", 2, 2, |a| {
+        let (parent, name) = (a.object(0)?, a.text(1)?);
+        Ok(flag(!a.database().children_named(Some(parent), &name).is_empty()))
+    }),
+    function("DB_OF_CLASS", 2, 2, |a| {
+        let (object, wanted) = (a.object(0)?, a.text(1)?);
+        Ok(flag(is_type(a.database(), object, &wanted)))
+    }),
+    function("DB_OF_TYPE_EXISTS", 2, 2, |a| {
+        let (name, wanted) = (a.text(0)?, a.text(1)?);
+        Ok(flag(of_type_exists(a.database(), &name, &wanted)))
+    }),
+    function("DB_SHORT_NAME", 1, 1, |a| Ok(Value::Text(short_name(a.database(), a.object(0)?)))),
+    function("DB_TYPE", 1, 1, |a| Ok(Value::Text(type_word(a.database(), a.object(0)?)))),
+    function("EXPR_EXISTS", 1, 1, |a| Ok(flag(!expression_text(a)?.is_empty()))),
+    function("EXPR_STRING", 1, 1, |a| Ok(Value::Text(expression_text(a)?))),
+    function("PARAM_STRING", 1, 1, |a| Ok(Value::Text(parameter_text(a)?))),
+    momentary("UNIQUE_FULL_NAME", 1, 1, |a| {
+        let wanted = a.text(0)?.to_ascii_lowercase();
+        let under_part = matches!(wanted.as_str(), "marker" | "point");
+        let parent =
+            if under_part { a.database().current("part") } else { None }.or_else(|| a.database().current("model"));
+        Ok(Value::Text(match parent {
+            Some(parent) => {
+                let name = unique_below(a.database(), Some(parent), &wanted.to_ascii_uppercase());
+                format!("{}.{}", a.database().full_name(parent), quoted(&name))
+            }
+            None => String::new(),
+        }))
+    }),
+    momentary("UNIQUE_ID", 1, 1, |a| {
+        let wanted = a.text(0)?;
+        let database = a.database();
+        let ids = database.ids().filter(|o| is_type(database, *o, &wanted));
+        Ok(Value::Integer(ids.filter_map(|o| database.integer(o, "adams_id")).max().unwrap_or(0).saturating_add(1)))
+    }),
+    momentary("UNIQUE_LOCAL_NAME", 2, 2, |a| {
+        let (parent, base) = (a.object(0)?, a.text(1)?);
+        Ok(Value::Text(unique_below(a.database(), Some(parent), &base)))
+    }),
+    momentary("UNIQUE_NAME", 1, 1, |a| {
+        let base = a.text(0)?;
+        Ok(Value::Text(unique_anywhere(a.database(), &base)))
+    }),
+    momentary("UNIQUE_NAME_IN_HIERARCHY", 1, 1, |a| {
+        let base = a.text(0)?;
+        Ok(Value::Text(unique_anywhere(a.database(), &base)))
+    }),
+];
+
+fn count(n: usize) -> Value {
+    Value::Integer(n as i64)
+}
+
+/// Whether an object is of a type or class as DB_TYPE names it.
+fn is_type(database: &Database, object: ObjectId, wanted: &str) -> bool {
+    let wanted = wanted.trim().to_ascii_lowercase();
+    matches!(wanted.as_str(), "all" | "any" | "adams")
+        || database
+            .get(object)
+            .is_some_and(|o| o.class.is(&wanted) || o.class.word.eq_ignore_ascii_case(&wanted.replace('_', " ")))
+}
+
+fn current(database: &Database, wanted: &str) -> Option<ObjectId> {
+    database.current(wanted)
+}
+
+fn below(a: &Arguments, levels: usize) -> Outcome<Value> {
+    let (root, wanted) = (a.object(0)?, a.text(1)?);
+    let database = a.database();
+    let mut found = Vec::new();
+    let mut level = vec![root];
+    for _ in 0..levels {
+        level = level.iter().flat_map(|o| database.object(*o).children.iter().copied()).collect();
+        if level.is_empty() {
+            break;
+        }
+        found.extend(level.iter().copied().filter(|o| is_type(database, *o, &wanted)));
+    }
+    Ok(Value::Objects(found))
+}
+
+/// Whether a text names an object, or an attribute of one.
+fn names_something(database: &Database, name: &str) -> bool {
+    let steps = Steps::of(name.trim());
+    let Ok(reached) = reach(database, &steps) else { return false };
+    match &steps.names[reached.steps..] {
+        [] => true,
+        [one] => attribute(database, reached.object, one).is_some(),
+        _ => false,
+    }
+}
+
+fn of_type_exists(database: &Database, name: &str, wanted: &str) -> bool {
+    let Some(found) = find_object(database, name) else { return false };
+    let object = database.object(found);
+    database.children_named(object.parent, &object.name).iter().any(|o| is_type(database, *o, wanted))
+}
+
+/// The shortest ending of the full name that means this object alone.
+pub(crate) fn short_name(database: &Database, object: ObjectId) -> String {
+    let full = database.full_name(object);
+    let steps = Steps::of(&full);
+    for range in steps.ranges.iter().rev() {
+        let short = &full[range.start..];
+        if find_object(database, short) == Some(object) {
+            return short.to_string();
+        }
+    }
+    full
+}
+
+fn unique_below(database: &Database, parent: Option<ObjectId>, base: &str) -> String {
+    let mut n = 1_u64;
+    loop {
+        let name = format!("{base}_{n}");
+        if database.children_named(parent, &name).is_empty() {
+            return name;
+        }
+        n += 1;
+    }
+}
+
+/// A name that no object of the database has.
+fn unique_anywhere(database: &Database, base: &str) -> String {
+    let start = format!("{base}_").to_ascii_lowercase();
+    let taken: std::collections::HashSet<u64> = database
+        .ids()
+        .filter_map(|o| database.object(o).name.to_ascii_lowercase().strip_prefix(&start)?.parse().ok())
+        .collect();
+    let mut n = 1;
+    while taken.contains(&n) {
+        n += 1;
+    }
+    format!("{base}_{n}")
+}
+
+/// The cell that a text such as `mar1.location` names: its owner, field index and content.
+fn named_cell<'a>(a: &'a Arguments) -> Outcome<(ObjectId, usize, Option<&'a Cell>)> {
+    let name = a.text(0)?;
+    let database = a.database();
+    let wrong = || a.error(format!("\"{name}\" names no field of an object"));
+    let steps = Steps::of(name.trim());
+    let reached = reach(database, &steps).map_err(|_| wrong())?;
+    let [field] = &steps.names[reached.steps..] else { return Err(wrong()) };
+    match attribute(database, reached.object, field) {
+        Some(Attribute::Field(index)) => {
+            Ok((reached.object, index, database.object(reached.object).cells.get(index).and_then(Option::as_ref)))
+        }
+        _ => Err(wrong()),
+    }
+}
+
+/// Dimension of the field that a text names.
+pub(super) fn dimension_of(a: &Arguments) -> Outcome<Dimension> {
+    let (object, index, _) = named_cell(a)?;
+    let database = a.database();
+    let class = database.object(object).class;
+    if class.id == "variable" {
+        let units = database.text(object, "units").and_then(schema::Quantity::named);
+        return Ok(units.map_or(Dimension::NONE, |q| q.dimension));
+    }
+    Ok(class.field(index).dimension)
+}
+
+fn expression_text(a: &Arguments) -> Outcome<String> {
+    let (_, _, cell) = named_cell(a)?;
+    Ok(match cell.map(|c| &c.source) {
+        Some(Source::Expression(e)) => format!("({})", print(e, a.database())),
+        Some(Source::Elements(list)) => {
+            list.iter().flatten().map(|e| format!("({})", print(e, a.database()))).collect::<Vec<_>>().join(", ")
+        }
+        _ => String::new(),
+    })
+}
+
+fn parameter_text(a: &Arguments) -> Outcome<String> {
+    let (object, index, cell) = named_cell(a)?;
+    let database = a.database();
+    let Some(cell) = cell else { return Ok(String::new()) };
+    if let Source::Expression(e) = &cell.source {
+        return Ok(format!("({})", print(e, database)));
+    }
+    let field = database.object(object).class.field(index);
+    let suffix = if field.kind == Kind::Orientation && database.units().angle.name == "degrees" { "d" } else { "" };
+    let number = |x: f64| format!("{}{suffix}", number_text(x));
+    let quote = |t: &String| format!("\"{t}\"");
+    Ok(match &cell.value {
+        Value::Text(text) => quote(text),
+        Value::Texts(list) => list.iter().map(quote).collect::<Vec<_>>().join(", "),
+        Value::Object(o) if database.get(*o).is_some() => database.full_name(*o),
+        Value::Objects(list) => list.iter().map(|o| database.full_name(*o)).collect::<Vec<_>>().join(", "),
+        Value::Integer(i) => i.to_string(),
+        Value::Flag(yes) => match field.kind {
+            Kind::Boolean(t, f) => if *yes { t } else { f }.to_string(),
+            _ => i32::from(*yes).to_string(),
+        },
+        Value::Function(f) => format!("\"{}\"", f.write(|o| database.full_name(o))),
+        Value::Nothing | Value::Object(_) => String::new(),
+        Value::Number(_) | Value::Array(_) => {
+            let numbers = database.numbers(object, field.name).unwrap_or_default();
+            numbers.into_iter().map(number).collect::<Vec<_>>().join(", ")
+        }
+    })
+}

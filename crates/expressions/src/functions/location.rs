@@ -1,0 +1,133 @@
+//! LOC_ functions: three coordinates. All answer in the global frame except LOC_RELATIVE_TO (frame
+//! of the owner's parent) and those that name a target frame.
+
+use glam::DVec3;
+use model::Value;
+
+use super::{Arguments, Function, function, location};
+use crate::scope::Outcome;
+
+pub const TABLE: &[Function] = &[
+    function("LOC_ALONG_LINE", 3, 3, along_line),
+    function("LOC_CYLINDRICAL", 3, 3, cylindrical),
+    function("LOC_FRAME_MIRROR", 3, 3, mirror),
+    function("LOC_GLOBAL", 2, 2, global),
+    function("LOC_INLINE", 3, 3, inline),
+    function("LOC_LOC", 3, 3, loc_loc),
+    function("LOC_LOCAL", 2, 2, local),
+    function("LOC_MIRROR", 3, 3, mirror),
+    function("LOC_ON_AXIS", 3, 3, on_axis),
+    function("LOC_ON_LINE", 2, 2, on_line),
+    function("LOC_PERPENDICULAR", 1, 1, perpendicular),
+    function("LOC_PLANE_MIRROR", 2, 2, plane_mirror),
+    function("LOC_RELATIVE_TO", 2, 2, relative_to),
+    function("LOC_SPHERICAL", 3, 3, spherical),
+    function("LOC_X_AXIS", 1, 1, |a| axis(a, 0)),
+    function("LOC_Y_AXIS", 1, 1, |a| axis(a, 1)),
+    function("LOC_Z_AXIS", 1, 1, |a| axis(a, 2)),
+];
+
+/// Unit vector from one point to another.
+pub(super) fn direction(from: DVec3, to: DVec3, a: &Arguments) -> Outcome<DVec3> {
+    (to - from).try_normalize().ok_or_else(|| a.error("the two points coincide, so they give no direction"))
+}
+
+/// Unit normal of the plane of three points.
+pub(super) fn normal(points: [DVec3; 3], a: &Arguments) -> Outcome<DVec3> {
+    let [p, q, r] = points;
+    let (u, v) = (q - p, r - p);
+    let cross = u.cross(v);
+    // Relative to the size of the triangle: 1e-12 is far above rounding of collinear points.
+    if cross.length() <= 1e-12 * u.length() * v.length() {
+        return Err(a.error("the three points lie on one line, so they give no plane"));
+    }
+    Ok(cross.normalize())
+}
+
+fn along_line(a: &mut Arguments) -> Outcome<Value> {
+    let (from, to) = (a.frame(0)?.origin, a.frame(1)?.origin);
+    location(from + a.number(2)? * direction(from, to, a)?)
+}
+
+fn cylindrical(a: &mut Arguments) -> Outcome<Value> {
+    let (r, theta, z) = (a.number(0)?, a.number(1)? * a.angle_unit(), a.number(2)?);
+    location(DVec3::new(r * theta.cos(), r * theta.sin(), z))
+}
+
+/// Theta turns about z from x, phi is the angle from z.
+fn spherical(a: &mut Arguments) -> Outcome<Value> {
+    let unit = a.angle_unit();
+    let (r, theta, phi) = (a.number(0)?, a.number(1)? * unit, a.number(2)? * unit);
+    location(r * DVec3::new(theta.cos() * phi.sin(), theta.sin() * phi.sin(), phi.cos()))
+}
+
+fn mirror(a: &mut Arguments) -> Outcome<Value> {
+    let (point, frame, (i, j)) = (a.vector(0)?, a.frame(1)?, a.two_axes(2)?);
+    let normal = frame.rotation.col(3 - i - j);
+    location(point - 2.0 * (point - frame.origin).dot(normal) * normal)
+}
+
+fn plane_mirror(a: &mut Arguments) -> Outcome<Value> {
+    let (point, plane) = (a.vector(0)?, a.points::<3>(1)?);
+    let normal = normal(plane, a)?;
+    location(point - 2.0 * (point - plane[0]).dot(normal) * normal)
+}
+
+fn global(a: &mut Arguments) -> Outcome<Value> {
+    let (point, frame) = (a.vector(0)?, a.frame(1)?);
+    location(frame.origin + frame.rotation * point)
+}
+
+fn local(a: &mut Arguments) -> Outcome<Value> {
+    let (point, frame) = (a.vector(0)?, a.frame(1)?);
+    location(frame.rotation.transpose() * (point - frame.origin))
+}
+
+fn transformed(a: &mut Arguments) -> Outcome<DVec3> {
+    let (point, from, to) = (a.vector(0)?, a.frame(1)?, a.frame(2)?);
+    Ok(to.rotation.transpose() * (from.origin + from.rotation * point - to.origin))
+}
+
+fn loc_loc(a: &mut Arguments) -> Outcome<Value> {
+    location(transformed(a)?)
+}
+
+fn inline(a: &mut Arguments) -> Outcome<Value> {
+    let point = transformed(a)?;
+    location(
+        point
+            .try_normalize()
+            .ok_or_else(|| a.error("the location is the origin of the frame, so it has no direction"))?,
+    )
+}
+
+fn relative_to(a: &mut Arguments) -> Outcome<Value> {
+    let (point, frame) = (a.vector(0)?, a.frame(1)?);
+    let owner = a.owner_frame();
+    if owner == frame {
+        return location(point);
+    }
+    location(owner.rotation.transpose() * (frame.origin + frame.rotation * point - owner.origin))
+}
+
+fn on_axis(a: &mut Arguments) -> Outcome<Value> {
+    let (frame, distance, axis) = (a.frame(0)?, a.number(1)?, a.axis(2)?);
+    location(frame.origin + distance * frame.rotation.col(axis))
+}
+
+fn on_line(a: &mut Arguments) -> Outcome<Value> {
+    let [from, to] = a.points::<2>(0)?;
+    location(from + a.number(1)? * direction(from, to, a)?)
+}
+
+/// One unit off the first point. The help page's example puts it on the side from which the points
+/// run clockwise.
+fn perpendicular(a: &mut Arguments) -> Outcome<Value> {
+    let points = a.points::<3>(0)?;
+    location(points[0] - normal(points, a)?)
+}
+
+fn axis(a: &mut Arguments, axis: usize) -> Outcome<Value> {
+    let frame = a.frame(0)?;
+    location(frame.rotation.col(axis))
+}

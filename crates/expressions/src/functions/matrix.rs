@@ -1,0 +1,392 @@
+//! Functions of arrays and matrices (column-major).
+
+use glam::DMat3;
+use model::{Array, Sequence, Value, rotation_of};
+
+use super::{Arguments, Function, column, function, location, modelling::sequence_angles, real};
+use crate::{arithmetic::flag, scope::Outcome};
+
+pub const TABLE: &[Function] = &[
+    function("ALIGN", 2, 2, |a| {
+        let (values, start) = (a.array(0)?, a.number(1)?);
+        let shift = values.values.first().map_or(0.0, |first| start - first);
+        Ok(Value::Array(Array { values: values.values.iter().map(|x| x + shift).collect(), ..values }))
+    }),
+    function("ALLM", 1, 1, |a| Ok(flag(a.numbers(0)?.iter().all(|x| *x != 0.0)))),
+    function("ANGLES", 2, 2, |a| angles(matrix3(a, 0)?, a)),
+    function("ANYM", 1, 1, |a| Ok(flag(a.numbers(0)?.iter().any(|x| *x != 0.0)))),
+    function("APPEND", 2, 2, append),
+    function("COLS", 1, 1, |a| Ok(count(a.array(0)?.columns))),
+    function("CONVERT_ANGLES", 2, 2, |a| angles(a.rotation(0)?, a)),
+    function("CROSS", 2, 2, |a| location(a.vector(0)?.cross(a.vector(1)?))),
+    function("DET", 1, 1, |a| real(determinant(square(a)?))),
+    function("DIFF", 1, 1, |a| column(a.numbers(0)?.windows(2).map(|w| w[1] - w[0]).collect())),
+    function("DMAT", 1, 1, |a| {
+        let values = a.numbers(0)?;
+        let n = a_matrix_side(values.len(), a)?;
+        let mut diagonal = vec![0.0; n * n];
+        for (i, x) in values.iter().enumerate() {
+            diagonal[i * n + i] = *x;
+        }
+        Ok(Value::Array(Array { rows: n, columns: n, values: diagonal }))
+    }),
+    function("DOT", 2, 2, |a| {
+        let (x, y) = (a.numbers(0)?, a.numbers(1)?);
+        if x.len() != y.len() {
+            return Err(a.error(format!("{} and {} numbers have no scalar product", x.len(), y.len())));
+        }
+        real(x.iter().zip(&y).map(|(x, y)| x * y).sum())
+    }),
+    function("ELEMENT", 2, 2, |a| {
+        let x = a.number(1)?;
+        Ok(flag(a.numbers(0)?.contains(&x)))
+    }),
+    function("EXCLUDE", 2, 2, |a| {
+        let x = a.number(1)?;
+        column(a.numbers(0)?.into_iter().filter(|y| *y != x).collect())
+    }),
+    function("FIRST", 1, 1, |a| real(a.numbers(0)?.first().copied().unwrap_or(0.0))),
+    function("FIRST_N", 2, 2, |a| {
+        let (values, n) = (a.numbers(0)?, a.count(1)?);
+        column(values[..n.min(values.len())].to_vec())
+    }),
+    function("INVERSE", 1, 1, |a| {
+        let matrix = square(a)?;
+        inverse(matrix).map(Value::Array).ok_or_else(|| a.error("the matrix is singular"))
+    }),
+    function("LAST", 1, 1, |a| real(a.numbers(0)?.last().copied().unwrap_or(0.0))),
+    function("LAST_N", 2, 2, |a| {
+        let (values, n) = (a.numbers(0)?, a.count(1)?);
+        column(values[values.len() - n.min(values.len())..].to_vec())
+    }),
+    function("MAX", 1, 1, |a| real(extreme(a, |x, y| x > y)?.1)),
+    function("MAXI", 1, 1, |a| Ok(count(extreme(a, |x, y| x > y)?.0 + 1))),
+    function("MEAN", 1, 1, |a| {
+        let values = filled(a)?;
+        real(values.iter().sum::<f64>() / values.len() as f64)
+    }),
+    function("MIN", 1, 1, |a| real(extreme(a, |x, y| x < y)?.1)),
+    function("MINI", 1, 1, |a| Ok(count(extreme(a, |x, y| x < y)?.0 + 1))),
+    function("NORM", 1, 1, |a| real(largest_singular_value(&a.array(0)?))),
+    function("NORM2", 1, 1, |a| real(sum_of_squares(&a.numbers(0)?).sqrt())),
+    function("NORMALIZE", 1, 1, |a| {
+        let array = a.array(0)?;
+        let length = sum_of_squares(&array.values).sqrt();
+        if length == 0.0 {
+            return Err(a.error("all elements are zero"));
+        }
+        Ok(Value::Array(Array { values: array.values.iter().map(|x| x / length).collect(), ..array }))
+    }),
+    function("PROD", 1, 1, |a| real(a.numbers(0)?.iter().product())),
+    function("RESHAPE", 2, 2, |a| {
+        let (array, shape) = (a.array(0)?, a.numbers(1)?);
+        match *shape.as_slice() {
+            [r, c] if r >= 0.0 && c >= 0.0 && r * c == array.values.len() as f64 && r.fract() == 0.0 => {
+                Ok(Value::Array(Array { rows: r as usize, columns: c as usize, values: array.values }))
+            }
+            _ => Err(a.error(format!("{} elements do not fill that shape", array.values.len()))),
+        }
+    }),
+    function("REVERSE", 1, 1, |a| {
+        let mut array = a.array(0)?;
+        array.values.reverse();
+        Ok(Value::Array(array))
+    }),
+    function("RMS", 1, 1, |a| {
+        let values = filled(a)?;
+        real((sum_of_squares(&values) / values.len() as f64).sqrt())
+    }),
+    function("ROWS", 1, 1, |a| {
+        Ok(count(match &a.values[0] {
+            Value::Texts(list) => list.len(),
+            Value::Objects(list) => list.len(),
+            Value::Text(_) | Value::Object(_) => 1,
+            Value::Nothing => 0,
+            _ => a.array(0)?.rows,
+        }))
+    }),
+    function("SERIES", 3, 3, |a| {
+        let (start, step, n) = (a.number(0)?, a.number(1)?, a.count(2)?);
+        column((0..n).map(|i| start + step * i as f64).collect())
+    }),
+    function("SERIES2", 3, 3, |a| {
+        let (start, end, n) = (a.number(0)?, a.number(1)?, a.count(2)?);
+        let step = if n > 1 { (end - start) / (n - 1) as f64 } else { 0.0 };
+        column((0..n).map(|i| if i + 1 == n && n > 1 { end } else { start + step * i as f64 }).collect())
+    }),
+    function("SHAPE", 1, 1, |a| {
+        let array = a.array(0)?;
+        column(vec![array.rows as f64, array.columns as f64])
+    }),
+    function("SORT", 2, 2, |a| {
+        let (mut array, down) = (a.array(0)?, descending(a)?);
+        array.values.sort_by(|x, y| if down { y.total_cmp(x) } else { x.total_cmp(y) });
+        Ok(Value::Array(array))
+    }),
+    function("SORT_BY", 3, 3, |a| {
+        let (keys, array) = (a.numbers(0)?, a.array(1)?);
+        if keys.len() != array.values.len() {
+            return Err(a.error("the two arrays must have the same length"));
+        }
+        let text = a.text(2)?;
+        let down = text.to_ascii_lowercase().starts_with('d');
+        let order = sorted_indices(&keys, down);
+        Ok(Value::Array(Array { values: order.into_iter().map(|i| array.values[i]).collect(), ..array.clone() }))
+    }),
+    function("SORT_INDEX", 2, 2, |a| {
+        let (values, down) = (a.numbers(0)?, descending(a)?);
+        column(sorted_indices(&values, down).into_iter().map(|i| (i + 1) as f64).collect())
+    }),
+    function("SSQ", 1, 1, |a| real(sum_of_squares(&a.numbers(0)?))),
+    function("STACK", 2, 2, stack),
+    function("SUM", 1, 1, |a| real(a.numbers(0)?.iter().sum())),
+    function("TILDE", 1, 1, |a| {
+        let v = a.vector(0)?;
+        let values = vec![0.0, v.z, -v.y, -v.z, 0.0, v.x, v.y, -v.x, 0.0];
+        Ok(Value::Array(Array { rows: 3, columns: 3, values }))
+    }),
+    function("TMAT", 2, 2, |a| {
+        let (angles, sequence) = (a.vector(0)? * a.angle_unit(), sequence(a)?);
+        let rotation = rotation_of(sequence, angles.to_array());
+        Ok(Value::Array(Array { rows: 3, columns: 3, values: rotation.to_cols_array().to_vec() }))
+    }),
+    function("TRANSPOSE", 1, 1, |a| Ok(Value::Array(transposed(&a.array(0)?)))),
+    function("UNIQUE", 1, 1, |a| {
+        let mut values = a.numbers(0)?;
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        column(values)
+    }),
+    function("VAL", 2, 2, |a| {
+        let values = filled(a)?;
+        real(values[nearest(&values, a.number(1)?)])
+    }),
+    function("VALI", 2, 2, |a| {
+        let values = filled(a)?;
+        Ok(count(nearest(&values, a.number(1)?) + 1))
+    }),
+];
+
+fn count(n: usize) -> Value {
+    Value::Integer(n as i64)
+}
+
+/// Side of a square matrix that memory can hold.
+fn a_matrix_side(n: usize, a: &Arguments) -> Outcome<usize> {
+    if n <= 3000 { Ok(n) } else { Err(a.error("the matrix would be too large")) }
+}
+
+fn filled(a: &Arguments) -> Outcome<Vec<f64>> {
+    let values = a.numbers(0)?;
+    if values.is_empty() { Err(a.error("the array is empty")) } else { Ok(values) }
+}
+
+fn sum_of_squares(values: &[f64]) -> f64 {
+    values.iter().map(|x| x * x).sum()
+}
+
+/// First of the extreme elements: index from 0 and value.
+fn extreme(a: &Arguments, better: fn(f64, f64) -> bool) -> Outcome<(usize, f64)> {
+    let values = filled(a)?;
+    let start = (0, values[0]);
+    Ok(values.into_iter().enumerate().fold(start, |best, (i, x)| if better(x, best.1) { (i, x) } else { best }))
+}
+
+fn nearest(values: &[f64], x: f64) -> usize {
+    let mut best = 0;
+    for (i, y) in values.iter().enumerate() {
+        if (y - x).abs() < (values[best] - x).abs() {
+            best = i;
+        }
+    }
+    best
+}
+
+fn descending(a: &Arguments) -> Outcome<bool> {
+    match a.text(1)?.to_ascii_lowercase().as_str() {
+        "a" | "ascending" => Ok(false),
+        "d" | "descending" => Ok(true),
+        other => Err(a.error(format!("the direction must be \"a\" or \"d\", not \"{other}\""))),
+    }
+}
+
+fn sorted_indices(values: &[f64], down: bool) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|i, j| {
+        let (x, y) = (values[*i], values[*j]);
+        if down { y.total_cmp(&x) } else { x.total_cmp(&y) }
+    });
+    order
+}
+
+fn append(a: &mut Arguments) -> Outcome<Value> {
+    let (x, y) = (a.array(0)?, a.array(1)?);
+    if x.values.is_empty() {
+        return Ok(Value::Array(y));
+    }
+    if x.rows != y.rows {
+        return Err(a.error(format!("the matrices have {} and {} rows", x.rows, y.rows)));
+    }
+    Ok(Value::Array(Array { rows: x.rows, columns: x.columns + y.columns, values: [x.values, y.values].concat() }))
+}
+
+fn stack(a: &mut Arguments) -> Outcome<Value> {
+    match (&a.values[0], &a.values[1]) {
+        (Value::Texts(_) | Value::Text(_), _) | (_, Value::Texts(_) | Value::Text(_)) => {
+            return Ok(Value::Texts([a.texts(0)?, a.texts(1)?].concat()));
+        }
+        (Value::Objects(_) | Value::Object(_), _) | (_, Value::Objects(_) | Value::Object(_)) => {
+            return Ok(Value::Objects([a.objects(0)?, a.objects(1)?].concat()));
+        }
+        _ => {}
+    }
+    let (x, y) = (a.array(0)?, a.array(1)?);
+    if x.values.is_empty() || y.values.is_empty() {
+        return Ok(Value::Array(if x.values.is_empty() { y } else { x }));
+    }
+    if x.columns != y.columns {
+        return Err(a.error(format!("the matrices have {} and {} columns", x.columns, y.columns)));
+    }
+    let mut values = Vec::with_capacity(x.values.len() + y.values.len());
+    for (upper, lower) in x.values.chunks_exact(x.rows).zip(y.values.chunks_exact(y.rows)) {
+        values.extend_from_slice(upper);
+        values.extend_from_slice(lower);
+    }
+    Ok(Value::Array(Array { rows: x.rows + y.rows, columns: x.columns, values }))
+}
+
+fn transposed(m: &Array) -> Array {
+    let values = (0..m.rows * m.columns).map(|k| m.values[(k % m.columns) * m.rows + k / m.columns]).collect();
+    Array { rows: m.columns, columns: m.rows, values }
+}
+
+fn square(a: &Arguments) -> Outcome<Array> {
+    let m = a.array(0)?;
+    if m.rows == m.columns { Ok(m) } else { Err(a.error(format!("a {} x {} matrix is not square", m.rows, m.columns))) }
+}
+
+fn matrix3(a: &Arguments, i: usize) -> Outcome<DMat3> {
+    let m = a.array(i)?;
+    let values: Result<[f64; 9], _> = m.values.try_into();
+    match values {
+        Ok(values) if m.rows == 3 => Ok(DMat3::from_cols_array(&values)),
+        _ => Err(a.error("a 3 x 3 matrix is needed")),
+    }
+}
+
+fn sequence(a: &Arguments) -> Outcome<Sequence> {
+    let word = a.text(1)?;
+    Sequence::named(&word).ok_or_else(|| a.error(format!("`{word}` is not one of the 24 rotation sequences")))
+}
+
+fn angles(rotation: DMat3, a: &Arguments) -> Outcome<Value> {
+    let unit = a.angle_unit();
+    column(sequence_angles(&rotation, sequence(a)?).iter().map(|x| x / unit).collect())
+}
+
+/// Gaussian elimination with row exchange on a column-major copy; calls `row_operation(pivot,
+/// other, factor)` for each elimination and `exchange` for each swap. Returns the determinant.
+fn eliminate(m: &mut Array, mut other: Option<&mut Array>) -> f64 {
+    let n = m.rows;
+    let mut determinant = 1.0;
+    for k in 0..n {
+        let pivot = (k..n).max_by(|i, j| m.values[k * n + i].abs().total_cmp(&m.values[k * n + j].abs())).unwrap_or(k);
+        if pivot != k {
+            determinant = -determinant;
+            for matrix in std::iter::once(&mut *m).chain(other.as_deref_mut()) {
+                for c in 0..n {
+                    matrix.values.swap(c * n + k, c * n + pivot);
+                }
+            }
+        }
+        let p = m.values[k * n + k];
+        determinant *= p;
+        if p == 0.0 {
+            return 0.0;
+        }
+        for i in 0..n {
+            // Without a right side, only what lies below matters.
+            if i == k || (other.is_none() && i < k) {
+                continue;
+            }
+            let factor = m.values[k * n + i] / p;
+            if factor == 0.0 {
+                continue;
+            }
+            for matrix in std::iter::once(&mut *m).chain(other.as_deref_mut()) {
+                for c in 0..n {
+                    let above = matrix.values[c * n + k];
+                    matrix.values[c * n + i] -= factor * above;
+                }
+            }
+        }
+    }
+    determinant
+}
+
+fn determinant(mut m: Array) -> f64 {
+    eliminate(&mut m, None)
+}
+
+fn inverse(mut m: Array) -> Option<Array> {
+    let n = m.rows;
+    let size = m.values.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
+    let mut result = Array { rows: n, columns: n, values: vec![0.0; n * n] };
+    for i in 0..n {
+        result.values[i * n + i] = 1.0;
+    }
+    eliminate(&mut m, Some(&mut result));
+    for i in 0..n {
+        let p = m.values[i * n + i];
+        // Rounding leaves pivots of about 1e-16 of the largest element in a singular matrix.
+        if p.abs() <= 1e-15 * size {
+            return None;
+        }
+        for c in 0..n {
+            result.values[c * n + i] /= p;
+        }
+    }
+    Some(result)
+}
+
+/// Square root of the largest eigenvalue of the smaller of A'A and AA', by Jacobi rotations.
+fn largest_singular_value(a: &Array) -> f64 {
+    if a.values.is_empty() {
+        return 0.0;
+    }
+    let t = transposed(a);
+    let gram = if a.rows < a.columns {
+        crate::arithmetic::matrix_product(a, &t)
+    } else {
+        crate::arithmetic::matrix_product(&t, a)
+    };
+    let n = gram.rows;
+    let mut g = gram.values;
+    for _ in 0..60 {
+        let mut off = 0.0;
+        for p in 0..n {
+            for q in p + 1..n {
+                let apq = g[q * n + p];
+                off += apq * apq;
+                if apq == 0.0 {
+                    continue;
+                }
+                let theta = (g[q * n + q] - g[p * n + p]) / (2.0 * apq);
+                let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
+                let (c, s) = (1.0 / t.hypot(1.0), t / t.hypot(1.0));
+                for k in 0..n {
+                    let (x, y) = (g[p * n + k], g[q * n + k]);
+                    (g[p * n + k], g[q * n + k]) = (c * x - s * y, s * x + c * y);
+                }
+                for k in 0..n {
+                    let (x, y) = (g[k * n + p], g[k * n + q]);
+                    (g[k * n + p], g[k * n + q]) = (c * x - s * y, s * x + c * y);
+                }
+            }
+        }
+        if off == 0.0 {
+            break;
+        }
+    }
+    (0..n).map(|i| g[i * n + i]).fold(0.0, f64::max).sqrt()
+}

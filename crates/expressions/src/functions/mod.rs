@@ -1,0 +1,308 @@
+//! The design-time functions: one table a group, one file a group.
+
+// All functions of the tables have one signature, those that cannot fail too.
+#![allow(clippy::unnecessary_wraps)]
+
+use std::{collections::HashMap, sync::LazyLock};
+
+use glam::{DMat3, DVec3};
+use model::{Array, Database, ObjectId, Pose, Sequence, Value, angles_of, rotation_of};
+use text::Diagnostic;
+
+use crate::{
+    arithmetic,
+    evaluate::{Evaluator, describe},
+    names::{nearest, object_or_problem},
+    scope::{Outcome, problem},
+};
+
+mod database;
+mod interpolation;
+mod location;
+mod math;
+mod matrix;
+mod modelling;
+mod orientation;
+mod print_format;
+mod strings;
+mod system;
+mod units;
+mod unsupported;
+
+pub(crate) use database::short_name;
+
+/// One function of the expression language.
+pub(crate) struct Function {
+    pub name: &'static str,
+    pub least: usize,
+    pub most: usize,
+    /// The value belongs to the moment (a file, the clock, a free name): it is never kept as an
+    /// expression.
+    pub momentary: bool,
+    pub run: Run,
+}
+
+type Run = fn(&mut Arguments) -> Outcome<Value>;
+
+const fn function(name: &'static str, least: usize, most: usize, run: Run) -> Function {
+    Function { name, least, most, momentary: false, run }
+}
+
+const fn momentary(name: &'static str, least: usize, most: usize, run: Run) -> Function {
+    Function { name, least, most, momentary: true, run }
+}
+
+/// EVAL is resolved when an expression is bound; inside a kept tree it is its argument.
+pub(crate) const EVAL: Function = function("EVAL", 1, 1, |a| Ok(a.values[0].clone()));
+
+const GROUPS: &[&[Function]] = &[
+    location::TABLE,
+    orientation::TABLE,
+    modelling::TABLE,
+    math::TABLE,
+    matrix::TABLE,
+    interpolation::TABLE,
+    strings::TABLE,
+    database::TABLE,
+    units::TABLE,
+    system::TABLE,
+];
+
+static BY_NAME: LazyLock<HashMap<&str, &Function>> =
+    LazyLock::new(|| GROUPS.iter().copied().flatten().map(|f| (f.name, f)).collect());
+
+/// The function of a name, ignoring case.
+pub(crate) fn find(name: &str) -> Option<&'static Function> {
+    BY_NAME.get(name.to_ascii_uppercase().as_str()).copied()
+}
+
+/// Whether Adams has a function of this name that Flexure does not.
+pub(crate) fn is_unsupported(name: &str) -> bool {
+    unsupported::NAMES.iter().any(|n| n.eq_ignore_ascii_case(name))
+}
+
+/// Whether a name means the object that holds the session's defaults.
+pub(crate) fn is_defaults(name: &str) -> bool {
+    let name = name.strip_prefix('.').unwrap_or(name);
+    name.eq_ignore_ascii_case("system_defaults") || name.eq_ignore_ascii_case("system.defaults")
+}
+
+pub(crate) fn not_a_function(name: &str) -> Box<Diagnostic> {
+    let upper = name.to_ascii_uppercase();
+    if is_unsupported(name) {
+        return Box::new(
+            Diagnostic::error(
+                "expression/function-not-supported",
+                format!("the function {upper} is not supported yet"),
+            )
+            .note("the value that depends on it is not set"),
+        );
+    }
+    let mut diagnostic = Diagnostic::error(
+        "expression/unknown-function",
+        format!("`{name}` is not a known constant, function or variable"),
+    )
+    .adams(format!("\"{name}\" is not a known constant, function or variable"));
+    let mut names: Vec<&str> = BY_NAME.keys().copied().collect();
+    names.sort_unstable();
+    if let Some(near) = nearest(&upper, names.into_iter()) {
+        diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
+    }
+    Box::new(diagnostic)
+}
+
+pub(crate) fn wrong_count(function: &Function, found: usize) -> Box<Diagnostic> {
+    let Function { name, least, most, .. } = *function;
+    let wanted = if found < least { least } else { most };
+    let range = match (least, most) {
+        _ if least == most => format!("{least} argument{}", if least == 1 { "" } else { "s" }),
+        (_, usize::MAX) => format!("{least} or more arguments"),
+        _ => format!("{least} to {most} arguments"),
+    };
+    Box::new(
+        Diagnostic::error("expression/wrong-argument-count", format!("{name} expects {range}, found {found}"))
+            .adams(format!("The function {name} expects {wanted} arguments, found {found}")),
+    )
+}
+
+/// The arguments of one call. The count has been checked.
+pub(crate) struct Arguments<'c, 'e> {
+    pub name: &'static str,
+    pub values: &'c [Value],
+    pub evaluator: &'c mut Evaluator<'e>,
+}
+
+impl Arguments<'_, '_> {
+    pub fn database(&self) -> &Database {
+        self.evaluator.scope.database
+    }
+
+    /// Size of the current angle unit in radians.
+    pub fn angle_unit(&self) -> f64 {
+        self.database().units().angle.si
+    }
+
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Names the argument in an error.
+    fn wrong(&self, i: usize, wanted: &str) -> Box<Diagnostic> {
+        let found = self.values.get(i).map_or_else(|| "nothing".to_string(), describe);
+        problem(
+            "expression/wrong-argument",
+            format!("argument {} of {} must be {wanted}, not {found}", i + 1, self.name),
+        )
+    }
+
+    /// An error about these arguments.
+    pub fn error(&self, text: impl std::fmt::Display) -> Box<Diagnostic> {
+        problem("expression/wrong-argument", format!("{}: {text}", self.name))
+    }
+
+    fn value(&self, i: usize) -> Outcome<&Value> {
+        self.values.get(i).ok_or_else(|| self.wrong(i, "given"))
+    }
+
+    pub fn number(&self, i: usize) -> Outcome<f64> {
+        self.value(i)?.as_number().ok_or_else(|| self.wrong(i, "a number"))
+    }
+
+    pub fn integer(&self, i: usize) -> Outcome<i64> {
+        let x = self.number(i)?;
+        if x.fract() == 0.0 && x.abs() < 9.0e15 { Ok(x as i64) } else { Err(self.wrong(i, "an integer")) }
+    }
+
+    /// A count that memory can hold.
+    pub fn count(&self, i: usize) -> Outcome<usize> {
+        let n = self.integer(i)?;
+        if (0..=10_000_000).contains(&n) { Ok(n as usize) } else { Err(self.wrong(i, "a count from 0 to 10000000")) }
+    }
+
+    pub fn text(&self, i: usize) -> Outcome<String> {
+        match self.value(i)? {
+            Value::Array(_) | Value::Nothing => Err(self.wrong(i, "a text")),
+            other => arithmetic::text_of(other, &self.evaluator.scope).map_err(|_| self.wrong(i, "a text")),
+        }
+    }
+
+    pub fn texts(&self, i: usize) -> Outcome<Vec<String>> {
+        match self.value(i)? {
+            Value::Texts(list) => Ok(list.clone()),
+            Value::Array(a) => Ok(a.values.iter().map(|x| crate::print::number_text(*x)).collect()),
+            Value::Objects(list) => Ok(list.iter().map(|o| self.database().full_name(*o)).collect()),
+            _ => Ok(vec![self.text(i)?]),
+        }
+    }
+
+    pub fn array(&self, i: usize) -> Outcome<Array> {
+        match self.value(i)? {
+            Value::Array(array) => Ok(array.clone()),
+            other => other.as_number().map(|x| Array::column(vec![x])).ok_or_else(|| self.wrong(i, "an array")),
+        }
+    }
+
+    pub fn numbers(&self, i: usize) -> Outcome<Vec<f64>> {
+        Ok(self.array(i)?.values)
+    }
+
+    /// Three numbers.
+    pub fn vector(&self, i: usize) -> Outcome<DVec3> {
+        match self.numbers(i)?.as_slice() {
+            [x, y, z] => Ok(DVec3::new(*x, *y, *z)),
+            _ => Err(self.wrong(i, "three numbers")),
+        }
+    }
+
+    /// Points in the columns of a matrix of three rows.
+    pub fn points<const N: usize>(&self, i: usize) -> Outcome<[DVec3; N]> {
+        let array = self.array(i)?;
+        if array.rows != 3 || array.columns != N {
+            return Err(self.wrong(i, &format!("a 3 x {N} matrix, one point a column")));
+        }
+        let points: Vec<DVec3> = array.values.chunks_exact(3).map(DVec3::from_slice).collect();
+        points.try_into().map_err(|_| self.wrong(i, "points"))
+    }
+
+    /// Rotation of three body 3-1-3 angles in the current angle unit.
+    pub fn rotation(&self, i: usize) -> Outcome<DMat3> {
+        let angles = self.vector(i).map_err(|_| self.wrong(i, "three angles"))?;
+        Ok(rotation_of(Sequence::BODY_313, (angles * self.angle_unit()).to_array()))
+    }
+
+    pub fn object(&self, i: usize) -> Outcome<ObjectId> {
+        object_or_problem(self.value(i)?, &self.evaluator.scope)
+    }
+
+    pub fn objects(&self, i: usize) -> Outcome<Vec<ObjectId>> {
+        match self.value(i)? {
+            Value::Objects(list) => Ok(list.clone()),
+            Value::Nothing => Ok(Vec::new()),
+            Value::Array(a) if a.values.is_empty() => Ok(Vec::new()),
+            Value::Texts(list) => {
+                list.iter().map(|t| object_or_problem(&Value::Text(t.clone()), &self.evaluator.scope)).collect()
+            }
+            _ => Ok(vec![self.object(i)?]),
+        }
+    }
+
+    /// Global pose of a frame; 0 and (none) mean the global frame itself.
+    pub fn frame(&mut self, i: usize) -> Outcome<Pose> {
+        let value = self.value(i)?;
+        if *value == Value::Nothing || value.as_number() == Some(0.0) {
+            return Ok(Pose::GLOBAL);
+        }
+        let object = self.object(i)?;
+        Ok(self.evaluator.pose(Some(object)))
+    }
+
+    /// Global pose of the frame in which the expression's owner is stored.
+    pub fn owner_frame(&mut self) -> Pose {
+        let frame = self.evaluator.scope.owner_frame();
+        self.evaluator.pose(frame)
+    }
+
+    /// One of the axes x, y, z as 0, 1, 2.
+    pub fn axis(&self, i: usize) -> Outcome<usize> {
+        let text = self.text(i)?;
+        axis_of(text.trim()).ok_or_else(|| self.wrong(i, "\"x\", \"y\" or \"z\""))
+    }
+
+    /// Two different axes: `xy`, `zx`, ...
+    pub fn two_axes(&self, i: usize) -> Outcome<(usize, usize)> {
+        let text = self.text(i)?;
+        let mut letters = text.trim().chars().map(|c| axis_of(c.encode_utf8(&mut [0; 4])));
+        match (letters.next(), letters.next(), letters.next()) {
+            (Some(Some(a)), Some(Some(b)), None) if a != b => Ok((a, b)),
+            _ => Err(self.wrong(i, "one of \"xy\", \"yz\", \"zx\", \"yx\", \"zy\", \"xz\"")),
+        }
+    }
+}
+
+fn axis_of(letter: &str) -> Option<usize> {
+    match letter {
+        "x" | "X" => Some(0),
+        "y" | "Y" => Some(1),
+        "z" | "Z" => Some(2),
+        _ => None,
+    }
+}
+
+/// A location as a value.
+fn location(point: DVec3) -> Outcome<Value> {
+    Ok(Value::Array(Array::column(point.to_array().to_vec())))
+}
+
+/// A rotation as body 3-1-3 angles in the current angle unit.
+fn orientation(rotation: &DMat3, arguments: &Arguments) -> Outcome<Value> {
+    let unit = arguments.angle_unit();
+    Ok(Value::Array(Array::column(angles_of(rotation).iter().map(|a| a / unit).collect())))
+}
+
+fn real(x: f64) -> Outcome<Value> {
+    Ok(Value::Number(x))
+}
+
+fn column(values: Vec<f64>) -> Outcome<Value> {
+    Ok(Value::Array(Array::column(values)))
+}

@@ -1,0 +1,240 @@
+//! Functions of texts. Positions count characters from 1.
+
+use model::Value;
+
+use super::{Arguments, Function, function};
+use crate::{
+    arithmetic::{flag, text_of},
+    scope::Outcome,
+};
+
+pub const TABLE: &[Function] = &[
+    function("CHR", 1, 1, chr),
+    function("ON_OFF", 1, 1, |a| text(if a.number(0)? == 0.0 { "off" } else { "on" })),
+    function("STOI", 1, 1, |a| {
+        let given = a.text(0)?;
+        given
+            .trim()
+            .parse::<f64>()
+            .ok()
+            .filter(|x| x.abs() < 9.0e15)
+            .map(|x| Value::Integer(x as i64))
+            .ok_or_else(|| a.error(format!("\"{given}\" is not an integer")))
+    }),
+    function("STOO", 1, 1, |a| match &a.values[0] {
+        Value::Texts(_) | Value::Objects(_) => Ok(Value::Objects(a.objects(0)?)),
+        _ => Ok(Value::Object(a.object(0)?)),
+    }),
+    function("STOR", 1, 1, |a| {
+        let given = a.text(0)?;
+        parse_real(&given).map(Value::Number).ok_or_else(|| a.error(format!("\"{given}\" is not a number")))
+    }),
+    function("STR", 1, 1, |a| Ok(Value::Text(text_of(&a.values[0], &a.evaluator.scope)?))),
+    function("STR_CASE", 2, 2, case),
+    function("STR_CHR", 1, 1, chr),
+    function("STR_COMPARE", 2, 2, |a| {
+        let (x, y) = (a.text(0)?.to_ascii_lowercase(), a.text(1)?.to_ascii_lowercase());
+        Ok(Value::Integer(x.cmp(&y) as i64))
+    }),
+    function("STR_DELETE", 3, 3, |a| {
+        let (given, from, count) = (characters(a)?, a.integer(1)?, a.integer(2)?);
+        let (start, end) = range(from, count, given.len());
+        Ok(Value::Text(given[..start].iter().chain(&given[end..]).collect()))
+    }),
+    function("STR_FIND", 2, 2, |a| Ok(Value::Integer(occurrence(a, 1)?))),
+    function("STR_FIND_COUNT", 2, 2, |a| {
+        let (base, part) = (a.text(0)?, a.text(1)?);
+        Ok(Value::Integer(if part.is_empty() { 0 } else { base.matches(part.as_str()).count() as i64 }))
+    }),
+    function("STR_FIND_IN_STRINGS", 2, 2, |a| {
+        let (list, wanted) = (a.texts(0)?, a.text(1)?);
+        Ok(Value::Integer(list.iter().position(|t| *t == wanted).map_or(0, |i| i as i64 + 1)))
+    }),
+    function("STR_FIND_N", 3, 3, |a| {
+        let n = a.integer(2)?;
+        Ok(Value::Integer(occurrence(a, n)?))
+    }),
+    function("STR_INSERT", 3, 3, |a| {
+        let (given, part, place) = (characters(a)?, a.text(1)?, a.integer(2)?);
+        let (at, _) = range(place, 0, given.len());
+        Ok(Value::Text(given[..at].iter().copied().chain(part.chars()).chain(given[at..].iter().copied()).collect()))
+    }),
+    function("STR_IS_REAL", 1, 1, |a| Ok(flag(parse_real(&a.text(0)?).is_some()))),
+    function("STR_IS_SPACE", 1, 1, |a| Ok(flag(a.text(0)?.chars().all(char::is_whitespace)))),
+    function("STR_LENGTH", 1, 1, |a| Ok(Value::Integer(characters(a)?.len() as i64))),
+    function("STR_MATCH", 2, 2, |a| Ok(flag(matches(&a.text(0)?, &a.text(1)?)))),
+    function("STR_MERGE_STRINGS", 2, 2, |a| Ok(Value::Text(a.texts(1)?.join(&a.text(0)?)))),
+    function("STR_REMOVE_WHITESPACE", 1, 1, |a| text(a.text(0)?.trim())),
+    function("STR_REPLACE_ALL", 3, 3, |a| {
+        let (base, from, to) = (a.text(0)?, a.text(1)?, a.text(2)?);
+        if from.is_empty() { Ok(Value::Text(base)) } else { Ok(Value::Text(base.replace(&from, &to))) }
+    }),
+    function("STR_SPLIT", 2, 2, |a| {
+        let (base, separator) = (a.text(0)?, a.text(1)?);
+        if separator.is_empty() {
+            return Err(a.error("the separator is empty"));
+        }
+        Ok(Value::Texts(base.split(separator.as_str()).map(|t| t.trim().to_string()).collect()))
+    }),
+    function("STR_SPRINTF", 2, 2, |a| {
+        let (format, values) = (a.text(0)?, a.texts(1)?);
+        super::print_format::sprintf(&format, &values).map(Value::Text).map_err(|e| a.error(e))
+    }),
+    function("STR_SUBSTR", 3, 3, |a| {
+        let (given, from, count) = (characters(a)?, a.integer(1)?, a.integer(2)?);
+        let (start, end) = range(from, count, given.len());
+        Ok(Value::Text(given[start..end].iter().collect()))
+    }),
+    function("STR_XLATE", 3, 3, |a| {
+        let (base, from, to) = (a.text(0)?, a.text(1)?, a.text(2)?);
+        let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
+        if from.len() != to.len() {
+            return Err(a.error("both lists of characters must have the same length"));
+        }
+        Ok(Value::Text(base.chars().map(|c| from.iter().position(|f| *f == c).map_or(c, |i| to[i])).collect()))
+    }),
+];
+
+fn text(value: &str) -> Outcome<Value> {
+    Ok(Value::Text(value.to_string()))
+}
+
+fn characters(a: &Arguments) -> Outcome<Vec<char>> {
+    Ok(a.text(0)?.chars().collect())
+}
+
+/// Positions `from` (counted from 1) and `count` as a range that lies inside the text.
+fn range(from: i64, count: i64, length: usize) -> (usize, usize) {
+    let start = (from.max(1) - 1).min(length as i64) as usize;
+    let end = start.saturating_add(count.max(0) as usize).min(length);
+    (start, end)
+}
+
+fn parse_real(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
+    text.parse::<f64>().ok().filter(|x| plain && x.is_finite())
+}
+
+fn chr(a: &mut Arguments) -> Outcome<Value> {
+    let code = a.integer(0)?;
+    match u32::try_from(code).ok().and_then(char::from_u32) {
+        Some(c) => Ok(Value::Text(c.to_string())),
+        None => Err(a.error(format!("{code} is not the code of a character"))),
+    }
+}
+
+/// Position of the n-th occurrence, counted without overlap; 0 if there is none.
+fn occurrence(a: &Arguments, n: i64) -> Outcome<i64> {
+    let (base, part) = (a.text(0)?, a.text(1)?);
+    if part.is_empty() || n < 1 {
+        return Ok(0);
+    }
+    let found = base.match_indices(part.as_str()).nth(n as usize - 1);
+    Ok(found.map_or(0, |(at, _)| base[..at].chars().count() as i64 + 1))
+}
+
+fn case(a: &mut Arguments) -> Outcome<Value> {
+    let given = a.text(0)?;
+    let capital = |start: bool, c: char| if start { c.to_ascii_uppercase() } else { c.to_ascii_lowercase() };
+    Ok(Value::Text(match a.integer(1)? {
+        1 => given.to_uppercase(),
+        2 => given.to_lowercase(),
+        3 => {
+            let mut start = true;
+            let each = |c: char| {
+                let out = capital(start, c);
+                start = !c.is_alphanumeric() && c != '\'';
+                out
+            };
+            given.chars().map(each).collect()
+        }
+        4 => {
+            let mut start = true;
+            let each = |c: char| {
+                let out = capital(start, c);
+                start = matches!(c, '.' | '!' | '?') || (start && !c.is_alphanumeric());
+                out
+            };
+            given.chars().map(each).collect()
+        }
+        other => {
+            return Err(
+                a.error(format!("the case must be 1 (upper), 2 (lower), 3 (mixed) or 4 (sentence), not {other}"))
+            );
+        }
+    }))
+}
+
+/// Wildcards: `*` any text, `?` one character, `[abc]` one of these (also `a-z`), `{one,two}` one of
+/// these words. Letters match ignoring case, as names do. The time is bounded by the product of
+/// the lengths for each way through the braces.
+pub(crate) fn matches(pattern: &str, text: &str) -> bool {
+    let text: Vec<char> = text.to_lowercase().chars().collect();
+    alternatives(&pattern.to_lowercase()).iter().any(|p| glob(&p.chars().collect::<Vec<_>>(), &text))
+}
+
+/// Patterns without braces; at most 256.
+fn alternatives(pattern: &str) -> Vec<String> {
+    let mut open = vec![pattern.to_string()];
+    let mut plain = Vec::new();
+    while let Some(next) = open.pop() {
+        let braces = next.find('{').and_then(|a| next[a..].find('}').map(|b| (a, a + b)));
+        match braces {
+            Some((a, b)) if open.len() + plain.len() < 256 => {
+                open.extend(next[a + 1..b].split(',').map(|word| format!("{}{word}{}", &next[..a], &next[b + 1..])));
+            }
+            _ => plain.push(next),
+        }
+    }
+    plain
+}
+
+fn glob(pattern: &[char], text: &[char]) -> bool {
+    let (mut p, mut t) = (0, 0);
+    let mut star: Option<(usize, usize)> = None;
+    loop {
+        let step = match pattern.get(p) {
+            Some('*') => {
+                star = Some((p + 1, t));
+                p += 1;
+                continue;
+            }
+            Some('?') if t < text.len() => Some(1),
+            Some('[') => match pattern[p..].iter().position(|c| *c == ']') {
+                Some(close) if text.get(t).is_some_and(|c| in_set(&pattern[p + 1..p + close], *c)) => Some(close + 1),
+                Some(_) => None,
+                None => (text.get(t) == Some(&'[')).then_some(1),
+            },
+            Some(c) if text.get(t) == Some(c) => Some(1),
+            None if t == text.len() => return true,
+            _ => None,
+        };
+        match (step, star) {
+            (Some(step), _) => (p, t) = (p + step, t + 1),
+            (None, Some((after, from))) if from < text.len() => {
+                star = Some((after, from + 1));
+                (p, t) = (after, from + 1);
+            }
+            _ => return false,
+        }
+    }
+}
+
+fn in_set(set: &[char], c: char) -> bool {
+    let mut i = 0;
+    while i < set.len() {
+        if i + 2 < set.len() && set[i + 1] == '-' {
+            if (set[i]..=set[i + 2]).contains(&c) {
+                return true;
+            }
+            i += 3;
+        } else {
+            if set[i] == c {
+                return true;
+            }
+            i += 1;
+        }
+    }
+    false
+}
