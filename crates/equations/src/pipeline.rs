@@ -101,6 +101,10 @@ impl Dae for System {
         self.add_constraints(&at, add)
     }
 
+    fn as_any(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+
     fn describe(&self, unknown: usize) -> String {
         let axes = Axis::ALL.map(|axis| axis.letter().to_ascii_lowercase());
         for (body, slot) in self.bodies.iter().zip(&self.layout.bodies) {

@@ -47,6 +47,8 @@ pub struct Database {
     pub(crate) unit_systems: Vec<UnitSystem>,
     pub(crate) dependencies: Dependencies,
     pub(crate) history: History,
+    /// Counts changes of objects; settings are not counted.
+    pub(crate) revision: u64,
 }
 
 impl Default for Database {
@@ -59,6 +61,7 @@ impl Default for Database {
             unit_systems: vec![first_units()],
             dependencies: Dependencies::default(),
             history: History::default(),
+            revision: 0,
         }
     }
 }
@@ -102,6 +105,11 @@ impl Database {
         let mut found = self.subtree(root);
         found.retain(|&id| id != root && self.object(id).class.is(wanted));
         found
+    }
+
+    /// A number that differs after any object changed, also by undo.
+    pub fn revision(&self) -> u64 {
+        self.revision
     }
 
     pub fn settings(&self) -> &Settings {

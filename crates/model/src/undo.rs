@@ -29,6 +29,7 @@ pub(crate) struct History {
 
 impl Database {
     pub(crate) fn record(&mut self, change: Change) {
+        self.revision += u64::from(!matches!(change, Change::Settings { .. }));
         self.history.open.push(change);
     }
 
@@ -110,6 +111,7 @@ impl Database {
 
     /// Takes one change back; returns the change that takes that back in turn.
     fn invert(&mut self, change: Change) -> Change {
+        self.revision += u64::from(!matches!(change, Change::Settings { .. }));
         match change {
             Change::Created { id } => {
                 let (object, position) = self.detach(id);

@@ -94,6 +94,11 @@ pub trait Dae {
         false
     }
 
+    /// The problem itself, for an observer that knows what it is.
+    fn as_any(&mut self) -> Option<&mut dyn std::any::Any> {
+        None
+    }
+
     /// Name of the unknown or equation, for messages: `.model.part translation x`,
     /// `.model.JOINT_1 Zi.Xj`. Unknowns are counted through velocities, then multipliers.
     fn describe(&self, unknown: usize) -> String;
