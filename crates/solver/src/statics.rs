@@ -71,7 +71,7 @@ pub struct StaticReport {
     pub statistics: Statistics,
 }
 
-/// Finds the equilibrium near `state.q` and reports it as one output.
+/// Finds the equilibrium near `state.q`. The observer sees the progress; the result is the state.
 ///
 /// Velocities and accelerations of the state become zero. A failure leaves the state as it was; an
 /// observer's stop leaves the last iterate and sets `statistics.stopped`.
@@ -117,17 +117,13 @@ pub fn equilibrium(
     search.residual(dae, Goal::Balance).map_err(Failure::evaluation(state.t))?;
     let (worst, imbalance) = largest(&search.right[..n]);
     search.statistics.general = search.matrix.kind() == FactorKind::General;
-    let report = StaticReport {
+    Ok(StaticReport {
         iterations: search.statistics.iterations,
         imbalance,
         imbalance_at: (imbalance > 0.0).then(|| dae.describe(worst)),
         method,
         statistics: search.statistics,
-    };
-    if !report.statistics.stopped && observer.output(dae, state) == Control::Stop {
-        search.statistics.stopped = true;
-    }
-    Ok(report)
+    })
 }
 
 /// What is being solved for.

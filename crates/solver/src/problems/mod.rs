@@ -1,8 +1,10 @@
 //! Named problems with known answers, and the tests that every integrator must pass on them.
 
 mod elastica;
+mod free_body;
 pub mod oscillator;
 pub mod pendulum;
+mod slider_crank;
 
 use crate::{Control, Dae, Observer, SystemState};
 
