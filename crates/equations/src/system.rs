@@ -181,6 +181,11 @@ impl System {
         &self.state
     }
 
+    /// The state last computed, for what is read from a shared system.
+    pub fn last_state(&self) -> &State {
+        &self.state
+    }
+
     /// Brings the state to a time, positions and, where given, velocities.
     pub(crate) fn update(&mut self, t: f64, q: &[f64], v: Option<&[f64]>) {
         self.state.time = t;
