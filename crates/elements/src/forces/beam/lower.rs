@@ -1,0 +1,162 @@
+//! A beam's cells become its section and its law, with the checks that need several values.
+
+use model::{Database, ObjectId};
+use schema::Dimension;
+use text::Diagnostic;
+
+use super::{
+    element::Beam,
+    physics::{Angles, Formulation, Law, Mat6, Section, from_lower_triangle, proportional_damping, stiffness},
+};
+use crate::lower::Lowering;
+
+pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
+    let i = lowering.frame_cell(beam, "i_marker_name", "beam/no-marker");
+    let j = lowering.frame_cell(beam, "j_marker_name", "beam/no-marker");
+    let law = law(lowering.database, beam);
+    let troubles = law.as_ref().err().into_iter().flatten().cloned();
+    lowering.diagnostics.extend(troubles);
+    let (Some(i), Some(j), Ok(law)) = (i, j, law) else { return };
+    let angles = if lowering.options.rotation_vector { Angles::RotationVector } else { Angles::Projected };
+    let bodies = [lowering.body_of_frame(i), lowering.body_of_frame(j)];
+    let force = Beam { name: lowering.name(beam), i, j, bodies, law: Law { angles, ..law } };
+    lowering.add_force(beam, Box::new(force));
+}
+
+/// Section data in SI, unchecked; what is not given counts as the default the schema states.
+pub fn section(database: &Database, beam: ObjectId) -> Section {
+    let value = |name| database.si(beam, name).unwrap_or_else(|| default(database, beam, name));
+    Section {
+        length: value("length"),
+        area: value("area_of_cross_section"),
+        ixx: value("ixx"),
+        iyy: value("iyy"),
+        izz: value("izz"),
+        e: value("youngs_modulus"),
+        g: value("shear_modulus"),
+        asy: value("y_shear_area_ratio"),
+        asz: value("z_shear_area_ratio"),
+    }
+}
+
+/// The schema's default of a cell, SI.
+fn default(database: &Database, beam: ObjectId, name: &str) -> f64 {
+    let class = database.object(beam).class;
+    let field = class.fields().find(|f| f.name == name);
+    match field.map(|f| (f.default, f.dimension)) {
+        Some((schema::Default::Number(x), dimension)) => x * database.units().factor(dimension),
+        _ => 0.0,
+    }
+}
+
+/// The law of a beam, or everything that is wrong with its data.
+pub fn law(database: &Database, beam: ObjectId) -> Result<Law, Vec<Diagnostic>> {
+    let section = section(database, beam);
+    let mut troubles = Vec::new();
+    check(database, beam, &section, &mut troubles);
+    let formulation = match database.text(beam, "formulation").unwrap_or("linear").to_ascii_lowercase().as_str() {
+        "linear" => Formulation::Linear,
+        "string" => Formulation::String,
+        other => {
+            let name = database.full_name(beam);
+            troubles.push(
+                Diagnostic::error(
+                    "beam/formulation",
+                    format!("beam `{name}` asks for the formulation `{other}`, which is not available yet"),
+                )
+                .help("use `formulation = linear` with more beams, or `formulation = string`"),
+            );
+            Formulation::Linear
+        }
+    };
+    let stiffness = stiffness(&section);
+    let damping = damping(database, beam, &stiffness, &mut troubles);
+    if troubles.is_empty() {
+        Ok(Law { length: section.length, stiffness, damping, formulation, angles: Angles::default() })
+    } else {
+        Err(troubles)
+    }
+}
+
+/// Section data without which there is no beam.
+fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Diagnostic>) {
+    let name = database.full_name(beam);
+    let mut must = |cell: &str, value: f64, positive: bool| {
+        let bad = !value.is_finite() || value < 0.0 || (positive && value == 0.0);
+        if !bad {
+            return;
+        }
+        let shown = database.number(beam, cell).unwrap_or(value);
+        let (code, wanted) = match (value.is_finite(), positive) {
+            (false, _) => ("beam/not-a-number", "a finite number"),
+            (true, true) => ("beam/not-positive", "above 0"),
+            (true, false) => ("beam/negative", "0 or above"),
+        };
+        troubles.push(
+            Diagnostic::error(code, format!("`{cell}` of beam `{name}` is {shown}; it must be {wanted}"))
+                .help(format!("force modify element_like beam beam_name={name} {cell}=...")),
+        );
+    };
+    must("length", s.length, true);
+    must("area_of_cross_section", s.area, true);
+    must("youngs_modulus", s.e, true);
+    must("shear_modulus", s.g, true);
+    must("ixx", s.ixx, false);
+    must("iyy", s.iyy, false);
+    must("izz", s.izz, false);
+    must("y_shear_area_ratio", s.asy, false);
+    must("z_shear_area_ratio", s.asz, false);
+}
+
+/// The damping matrix in SI. The 21 terms win over the ratio.
+fn damping(database: &Database, beam: ObjectId, stiffness: &Mat6, troubles: &mut Vec<Diagnostic>) -> Mat6 {
+    let name = database.full_name(beam);
+    if let Some(terms) = database.numbers(beam, "matrix_of_damping_terms") {
+        let Ok(terms) = <[f64; 21]>::try_from(terms.as_slice()) else {
+            troubles.push(
+                Diagnostic::error(
+                    "beam/damping-terms",
+                    format!("beam `{name}` has {} damping terms; 21 numbers are wanted", terms.len()),
+                )
+                .note("they are the lower triangle of a symmetric 6x6 matrix by columns: C11 C21 .. C61, C22 .. C62, .. C66"),
+            );
+            return *stiffness;
+        };
+        if terms.iter().any(|term| !term.is_finite()) {
+            troubles.push(
+                Diagnostic::error(
+                    "beam/not-a-number",
+                    format!("a damping term of beam `{name}` is not a finite number"),
+                )
+                .help("give 21 finite numbers"),
+            );
+        }
+        return damping_in_si(database, &terms);
+    }
+    let ratio = database.si(beam, "damping_ratio").unwrap_or(0.0);
+    if !ratio.is_finite() || ratio < 0.0 {
+        troubles.push(
+            Diagnostic::error(
+                "beam/negative",
+                format!("`damping_ratio` of beam `{name}` is {ratio} s; it must be 0 or above and finite"),
+            )
+            .help(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
+        );
+    }
+    proportional_damping(stiffness, ratio)
+}
+
+/// Terms are in force, length and time of the model and radians.
+fn damping_in_si(database: &Database, terms: &[f64; 21]) -> Mat6 {
+    let units = database.units();
+    let per_velocity = units.factor(Dimension::DAMPING);
+    let length = units.factor(Dimension::LENGTH);
+    let mut matrix = from_lower_triangle(terms);
+    for (row, values) in matrix.iter_mut().enumerate() {
+        for (column, value) in values.iter_mut().enumerate() {
+            let rotations = i32::from(row >= 3) + i32::from(column >= 3);
+            *value *= per_velocity * length.powi(rotations);
+        }
+    }
+    matrix
+}
