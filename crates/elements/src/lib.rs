@@ -9,12 +9,19 @@ pub mod draw;
 pub mod forces;
 pub mod geometry;
 pub mod joints;
+pub mod lower;
 pub mod mesh;
 pub mod output;
 pub mod place;
 mod registry;
+pub mod runtime;
 pub mod shape;
+pub mod shelf;
 #[cfg(test)]
 mod testing;
+pub mod verify;
 
+pub use lower::{LoadId, Lowered, Options, lower};
+pub use output::Outputs;
 pub use registry::registry;
+pub use verify::{Finding, verify, verify_report};

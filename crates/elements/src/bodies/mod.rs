@@ -7,3 +7,4 @@ pub mod part;
 pub mod point;
 pub mod point_mass;
 pub mod rigid_body;
+pub mod start;

@@ -1,5 +1,6 @@
 //! Constraints: joints, primitive joints and motions.
 
+pub mod between;
 pub mod cylindrical;
 pub mod fixed;
 pub mod hooke;

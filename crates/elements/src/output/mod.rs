@@ -1,13 +1,18 @@
 //! What is recorded, and how a run is made.
 
 pub mod equilibrium_parameters;
+pub(crate) mod everything;
 pub mod kinematics_parameters;
 pub mod measure_function;
 pub mod measure_object;
 pub mod measure_pt2pt;
 pub mod numerical_integration_parameters;
 pub mod output_settings;
+pub(crate) mod outputs;
 pub mod preferences;
 pub mod request;
 pub mod results_settings;
 pub mod script;
+pub(crate) mod vector;
+
+pub use outputs::Outputs;

@@ -1,4 +1,5 @@
 //! A fixed joint: two markers stay one.
 
+pub mod lower;
 pub mod schema;
 pub use schema::CLASS;

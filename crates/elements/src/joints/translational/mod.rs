@@ -1,4 +1,5 @@
 //! A translational joint: I slides along z of J.
 
+pub mod lower;
 pub mod schema;
 pub use schema::CLASS;

@@ -1,0 +1,201 @@
+//! Run-time functions of a model: their text becomes a compiled function whose measures are those
+//! of the equations, with exact derivatives. Functions live in model units, equations in SI; the
+//! conversion is here and nowhere else.
+
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+use equations::{BodyId, FrameId, GROUND, Gradient, State, constraints::TimeFunction};
+use functions::{Function, Resolver};
+use model::{Database, FunctionText, ObjectId, Value};
+use schema::Dimension;
+use text::Diagnostic;
+
+use crate::lower::Lowering;
+
+pub mod measure;
+
+/// A compiled function with the factors that turn its measures from SI into model units.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    pub function: Function,
+    /// Model units per SI unit, one for each measure of the function.
+    pub factors: Vec<f64>,
+    /// Model time units per second.
+    pub time: f64,
+}
+
+/// The text of a function cell with full object names; empty if there is none.
+pub fn text_of(database: &Database, object: ObjectId, cell: &str) -> String {
+    match database.value(object, cell) {
+        Some(Value::Function(function)) => written(database, function),
+        Some(Value::Text(text)) => text.clone(),
+        Some(Value::Texts(texts)) => texts.concat(),
+        Some(other) => other.as_number().map_or(String::new(), |x| x.to_string()),
+        None => String::new(),
+    }
+}
+
+fn written(database: &Database, function: &FunctionText) -> String {
+    function.write(|id| if database.get(id).is_some() { database.full_name(id) } else { "(deleted)".to_string() })
+}
+
+/// Compiles the function of an object; reports what is wrong with it.
+pub fn compile(lowering: &mut Lowering<'_>, owner: ObjectId, text: &str) -> Option<Compiled> {
+    let (tree, mut troubles) = syntax::function::parse(text::FileId(u32::MAX), text, 0);
+    let mut names = Names { lowering };
+    let compiled = functions::compile(&tree, &mut names);
+    let function = match compiled {
+        Ok(function) if troubles.iter().all(|d| !d.is_error()) => Some(function),
+        Ok(_) => None,
+        Err(more) => {
+            troubles.extend(more);
+            None
+        }
+    };
+    let name = lowering.name(owner);
+    for trouble in troubles {
+        // The place is one in the function's text, not in a file.
+        let mut described = Diagnostic::new(trouble.severity, trouble.code, format!("`{name}`: {}", trouble.message))
+            .note(format!("the function is `{text}`"));
+        described.notes.extend(trouble.notes);
+        described.helps.extend(trouble.helps.into_iter().map(|help| text::Help { fix: None, ..help }));
+        lowering.report(described);
+    }
+    let function = function?;
+    let factors = function.measures().iter().map(|m| 1.0 / lowering.factor(measure::dimension(m))).collect();
+    Some(Compiled { function, factors, time: 1.0 / lowering.factor(Dimension::TIME) })
+}
+
+/// Finds the objects that a function names.
+struct Names<'a, 'b> {
+    lowering: &'a mut Lowering<'b>,
+}
+
+impl Names<'_, '_> {
+    /// An object by full name, by name below the model, or by number.
+    fn find(&self, name: &str, wanted: &str) -> Option<ObjectId> {
+        let (database, model) = (self.lowering.database, self.lowering.model);
+        if let Some(found) = database.find(name, wanted) {
+            return Some(found);
+        }
+        if let Ok(number) = name.parse::<i64>() {
+            return database
+                .below(model, wanted)
+                .into_iter()
+                .find(|&id| number > 0 && database.integer(id, "adams_id") == Some(number));
+        }
+        let steps = model::split_name(name.strip_prefix('.').unwrap_or(name));
+        database.descend(Some(model), &steps, wanted)
+    }
+}
+
+impl Resolver for Names<'_, '_> {
+    fn marker(&mut self, name: &str) -> Result<u32, String> {
+        let Some(marker) = self.find(name, "marker") else { return Err(format!("there is no marker `{name}`")) };
+        let frame = self.lowering.frame(marker);
+        frame.map(|f| f.0).ok_or_else(|| format!("marker `{name}` is on no part that is simulated"))
+    }
+
+    fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
+        let found = self.find(name, "force").or_else(|| self.find(name, "constraint"));
+        found.map(|id| id.0).ok_or_else(|| format!("there is no element `{name}` for {function}"))
+    }
+
+    fn number(&mut self, name: &str) -> Result<f64, String> {
+        let variable = self.find(name, "variable");
+        let value = variable.and_then(|v| {
+            let cells = ["real_value", "integer_value"];
+            cells.into_iter().find_map(|cell| self.lowering.database.number(v, cell))
+        });
+        value.ok_or_else(|| format!("`{name}` is not a number, a constant or a function"))
+    }
+}
+
+/// A function of time alone, SI: `value` SI units per unit of the function, `time` seconds per unit
+/// of model time.
+#[derive(Clone, Debug)]
+pub struct TimeOnly {
+    pub function: Function,
+    pub value: f64,
+    pub time: f64,
+}
+
+impl TimeFunction for TimeOnly {
+    fn jet(&self, t: f64) -> [f64; 3] {
+        let [f, f1, f2] = self.function.jet(t / self.time, &[]);
+        [f * self.value, f1 * self.value / self.time, f2 * self.value / (self.time * self.time)]
+    }
+}
+
+/// A function of time and state as an element evaluates it. Angles stay on the branch of the
+/// evaluation before, so that they count whole turns.
+#[derive(Debug)]
+pub struct StateFunction {
+    compiled: Compiled,
+    /// SI units per unit of the function.
+    unit: f64,
+    /// Last value of each measure, SI, as bits.
+    branches: Vec<AtomicU64>,
+}
+
+impl StateFunction {
+    pub fn new(compiled: Compiled, unit: f64) -> Self {
+        let branches = compiled.factors.iter().map(|_| AtomicU64::new(0f64.to_bits())).collect();
+        StateFunction { compiled, unit, branches }
+    }
+
+    /// Measures that cannot be used in a force: they follow from the solution, not from the state.
+    pub fn unusable(compiled: &Compiled) -> bool {
+        compiled.function.measures().iter().any(|m| !measure::of_state(m))
+    }
+
+    /// Bodies the value depends on, without ground.
+    pub fn bodies(compiled: &Compiled, body_of: impl Fn(FrameId) -> BodyId) -> Vec<BodyId> {
+        let frames = compiled.function.measures().iter().flat_map(measure::frames);
+        frames.map(body_of).filter(|body| *body != GROUND).collect()
+    }
+
+    /// The value in SI.
+    pub fn value(&self, state: &State) -> f64 {
+        let mut values = smallvec::SmallVec::<[f64; 8]>::new();
+        for (index, measure) in self.compiled.function.measures().iter().enumerate() {
+            values.push(self.measured(index, measure, state, None) * self.compiled.factors[index]);
+        }
+        self.compiled.function.value(state.time * self.compiled.time, &values) * self.unit
+    }
+
+    /// The value in SI; its derivative replaces `gradient`.
+    pub fn value_and_gradient(&self, state: &State, gradient: &mut Gradient) -> f64 {
+        let measures = self.compiled.function.measures();
+        let mut values = smallvec::SmallVec::<[f64; 8]>::new();
+        let mut slopes = smallvec::SmallVec::<[f64; 8]>::from_elem(0.0, measures.len());
+        let mut parts = smallvec::SmallVec::<[Gradient; 4]>::new();
+        for (index, measure) in measures.iter().enumerate() {
+            let mut part = Gradient::new();
+            values.push(self.measured(index, measure, state, Some(&mut part)) * self.compiled.factors[index]);
+            parts.push(part);
+        }
+        let time = state.time * self.compiled.time;
+        let (value, _) = self.compiled.function.value_and_gradient(time, &values, &mut slopes);
+        gradient.clear();
+        for ((part, slope), factor) in parts.iter().zip(&slopes).zip(&self.compiled.factors) {
+            gradient.add_scaled(slope * factor * self.unit, part);
+        }
+        value * self.unit
+    }
+
+    fn measured(
+        &self,
+        index: usize,
+        measure: &functions::Measure,
+        state: &State,
+        gradient: Option<&mut Gradient>,
+    ) -> f64 {
+        let reference = f64::from_bits(self.branches[index].load(Relaxed));
+        let value = measure::value(measure, state, reference, gradient);
+        if measure::turns_over(measure) {
+            self.branches[index].store(value.to_bits(), Relaxed);
+        }
+        value
+    }
+}
