@@ -1,9 +1,9 @@
 //! What is doubtful about a model before it is solved: findings of each element, and the report of
 //! degrees of freedom in the words of Adams.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use equations::{GROUND, System};
+use equations::System;
 use model::{Database, ObjectId};
 use solver::Dae;
 use text::Diagnostic;
@@ -43,9 +43,9 @@ pub fn verify(database: &Database, model: ObjectId) -> Vec<Finding> {
         }
     }
     let reported = match lower(database, model, Options::default()) {
-        Ok(lowered) => {
+        Ok(mut lowered) => {
             let mut reported = lowered.diagnostics.clone();
-            reported.extend(massless(&lowered));
+            reported.extend(massless(&mut lowered));
             reported
         }
         Err(diagnostics) => diagnostics,
@@ -60,7 +60,7 @@ pub fn verify(database: &Database, model: ObjectId) -> Vec<Finding> {
 }
 
 /// Parts without mass that the constraints leave free to move.
-fn massless(lowered: &Lowered) -> Vec<Diagnostic> {
+fn massless(lowered: &mut Lowered) -> Vec<Diagnostic> {
     let counts = Counts::of(lowered);
     if counts.degrees_of_freedom <= 0 {
         return Vec::new();
@@ -93,8 +93,8 @@ struct Counts {
 }
 
 impl Counts {
-    fn of(lowered: &Lowered) -> Counts {
-        let system = &lowered.system;
+    fn of(lowered: &mut Lowered) -> Counts {
+        let system = &mut lowered.system;
         let point_masses = system.bodies().iter().filter(|b| b.point_mass).count();
         let mut kinds = BTreeMap::new();
         let mut equations = 0;
@@ -115,14 +115,128 @@ impl Counts {
     }
 }
 
-/// Constraint equations that say what others say already, by elimination of the rows of the
-/// constraint Jacobian in order.
-fn redundant(system: &System) -> Vec<(String, &'static str, String)> {
-    let _ = system;
-    Vec::new()
+/// Constraint equations that say what others say already: rows of the constraint Jacobian that are
+/// combinations of rows before them, by elimination. Lengths weigh in the model's unit.
+fn redundant(system: &mut System) -> Vec<(String, &'static str, String)> {
+    let (q, _) = system.initial_state();
+    let scales = system.scales().increments;
+    let Ok(rows) = system.constraint_rows(0.0, &q) else { return Vec::new() };
+    let mut reduced = Reduced::default();
+    let mut found = Vec::new();
+    for row in rows {
+        let mut rest: BTreeMap<usize, f64> =
+            row.entries.iter().map(|&(unknown, value)| (unknown, value * scales[unknown])).collect();
+        let size = rest.values().fold(0.0_f64, |m, x| m.max(x.abs()));
+        reduced.take_from(&mut rest, size);
+        let pivot =
+            rest.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(unknown, value)| (*unknown, *value));
+        match pivot {
+            Some((unknown, value)) if value.abs() > 1e-8 * size => {
+                rest.values_mut().for_each(|x| *x /= value);
+                reduced.add(unknown, rest);
+            }
+            _ => {
+                let constraint = &system.constraint_list()[row.constraint];
+                let (_, words) = constraint.equation_name(row.equation);
+                found.push((constraint.name().to_string(), constraint.kind(), words));
+            }
+        }
+    }
+    found
 }
 
+/// Rows already reduced, each 1 at a pivot of its own and 0 at the pivots before it.
+#[derive(Default)]
+struct Reduced {
+    rows: Vec<BTreeMap<usize, f64>>,
+    /// Which row has its pivot at an unknown.
+    of_pivot: BTreeMap<usize, usize>,
+}
+
+impl Reduced {
+    /// Takes multiples of the rows away until none of their pivots is left. In the order of the
+    /// rows, because a row may have entries at later pivots only.
+    fn take_from(&self, rest: &mut BTreeMap<usize, f64>, size: f64) {
+        let next = |rest: &BTreeMap<usize, f64>| {
+            rest.iter().filter_map(|(u, x)| self.of_pivot.get(u).map(|row| (*row, *u, *x))).min_by_key(|found| found.0)
+        };
+        while let Some((row, unknown, factor)) = next(rest) {
+            for (column, value) in &self.rows[row] {
+                *rest.entry(*column).or_insert(0.0) -= factor * value;
+            }
+            rest.remove(&unknown);
+            rest.retain(|_, x| x.abs() > 1e-14 * size);
+        }
+    }
+
+    fn add(&mut self, pivot: usize, row: BTreeMap<usize, f64>) {
+        self.of_pivot.insert(pivot, self.rows.len());
+        self.rows.push(row);
+    }
+}
+
+/// The report of `model verify` in Adams' words. Models that cannot be lowered give the errors.
 pub fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
-    let _ = (database, model, GROUND, BTreeSet::<u8>::new());
-    Vec::new()
+    let name = database.full_name(model);
+    let mut lines = vec![format!("VERIFY MODEL: {name}"), String::new()];
+    let mut lowered = match lower(database, model, Options::default()) {
+        Ok(lowered) => lowered,
+        Err(diagnostics) => {
+            lines.extend(diagnostics.iter().filter(|d| d.is_error()).map(|d| format!("ERROR:  {}", d.message)));
+            return lines;
+        }
+    };
+    let counts = Counts::of(&mut lowered);
+    lines.push(format!("{} Gruebler Count (approximate degrees of freedom)", counts.gruebler));
+    lines.push(plural(counts.parts, "Moving Part", " (not including ground)"));
+    if counts.point_masses > 0 {
+        lines.push(plural(counts.point_masses, "Point Mass", ""));
+    }
+    lines.extend(counts.kinds.iter().map(|(kind, count)| plural(*count, kind, "")));
+    lines.push(String::new());
+    for diagnostic in massless(&mut lowered) {
+        lines.extend(diagnostic.adams_text);
+    }
+    lines.push(format!("{} Degrees of Freedom for {name}", counts.degrees_of_freedom));
+    lines.push(String::new());
+    match counts.redundant.len() {
+        0 => lines.push("There are no redundant constraint equations.".into()),
+        1 => lines.push("There is 1 redundant constraint equation.".into()),
+        n => lines.push(format!("There are {n} redundant constraint equations.")),
+    }
+    if !counts.redundant.is_empty() {
+        lines.push(String::new());
+        let titles = counts.redundant.iter().map(|(name, kind, words)| (format!("{name} ({kind})"), words.clone()));
+        let mut table = vec![("This constraint:".to_string(), "unnecessarily removes this DOF:".to_string())];
+        table.extend(titles);
+        let width = table.iter().map(|(left, _)| left.chars().count()).max().unwrap_or(0) + 4;
+        lines.extend(table.into_iter().map(|(left, right)| format!("{left:width$}{right}")));
+    }
+    lines.push(String::new());
+    lines.push("Model verified successfully".into());
+    lines
+}
+
+/// `1 Moving Part`, `2 Moving Parts`; words that end in `s` get `es`.
+fn plural(count: usize, word: &str, after: &str) -> String {
+    let ending = match (count, word.ends_with('s')) {
+        (1, _) => "",
+        (_, true) => "es",
+        _ => "s",
+    };
+    format!("{count} {word}{ending}{after}")
+}
+
+/// A number for a message: six significant digits, no trailing zeros.
+pub fn number(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { x.to_string() };
+    }
+    let magnitude = x.abs().log10().floor();
+    if !(-4.0..9.0).contains(&magnitude) {
+        return format!("{x:.5e}");
+    }
+    let digits = (5.0 - magnitude).max(0.0) as usize;
+    let text = format!("{x:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
 }
