@@ -160,9 +160,7 @@ impl Compiler<'_> {
     fn unknown_function(&mut self, function: &str, span: Span) {
         let message = format!("there is no function `{function}`");
         let mut diagnostic = Diagnostic::error("function/unknown-function", message).at(span, "not a function");
-        let upper = function.to_ascii_uppercase();
-        let near = library::names().map(|n| (distance(n, &upper), n)).min().filter(|(d, _)| *d <= 2);
-        if let Some((_, name)) = near {
+        if let Some(name) = text::suggest(&function.to_ascii_uppercase(), library::names()) {
             diagnostic = diagnostic.help(format!("did you mean `{name}`?"));
         }
         self.diagnostics.push(diagnostic);
@@ -282,20 +280,4 @@ impl Compiler<'_> {
         }
         whole.map(|x| x as u8)
     }
-}
-
-/// Number of letters to insert, delete or replace.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, ca) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, cb) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(ca != *cb);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row.last().copied().unwrap_or(0)
 }
