@@ -1,0 +1,119 @@
+//! PART, POINT_MASS and MARKER: places, masses, start velocities.
+
+use model::{ObjectId, Value};
+
+use super::{number_field, reference, texts};
+use crate::{
+    layout::Lines,
+    number::{number, turn},
+    write::{Mass, Writer},
+};
+
+/// `QG = ...`, `REULER = ...`; what is zero is left out.
+fn place(w: &Writer<'_>, id: ObjectId, position: &str, lines: &mut Lines) {
+    let digits = w.options.digits;
+    if let Some(r) = w.database.numbers(id, "location").filter(|r| r.iter().any(|x| *x != 0.0)) {
+        lines.list(position, &r.iter().map(|x| number(*x, digits)).collect::<Vec<_>>());
+    }
+    if let Some(angles) = w.database.si_numbers(id, "orientation") {
+        let angles: Vec<_> = angles.iter().map(|a| turn(a.to_degrees(), digits)).collect();
+        if angles.iter().any(|a| a != "0D") {
+            lines.list("REULER", &angles);
+        }
+    }
+}
+
+pub(super) fn body(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    if w.database.object(id).class.id == "ground" {
+        lines.flag("GROUND");
+        return;
+    }
+    place(w, id, "QG", lines);
+    for (name, keyword) in [("vx", "VX"), ("vy", "VY"), ("vz", "VZ")] {
+        number_field(w, id, name, keyword, lines);
+    }
+    reference(w, id, "vm", "VM", lines);
+    for (name, keyword) in [("wx", "WX"), ("wy", "WY"), ("wz", "WZ")] {
+        number_field(w, id, name, keyword, lines);
+    }
+    reference(w, id, "wm", "WM", lines);
+    exact(w, id, lines);
+    mass(w, id, lines);
+    if w.database.flag(id, "planar") == Some(true) {
+        let name = w.database.full_name(id);
+        w.warn("dataset/planar", format!("`{name}` moves in a plane only, which a dataset cannot say"));
+    }
+}
+
+/// Start coordinates the assembly must keep.
+fn exact(w: &Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let mut words = texts(w.database, id, "exact_coordinates");
+    words.retain(|word| word != "none");
+    if words.iter().any(|word| word == "all") {
+        let all: &[&str] = &["x", "y", "z", "psi", "theta", "phi"];
+        let count = if w.database.object(id).class.id == "point_mass" { 3 } else { 6 };
+        words = all.iter().take(count).map(ToString::to_string).collect();
+    }
+    if !words.is_empty() {
+        lines.argument("EXACT", &words.join(":").to_ascii_uppercase());
+    }
+}
+
+/// The marker called `cm`, which View takes if none is named.
+fn marker_cm(w: &Writer<'_>, id: ObjectId) -> Option<ObjectId> {
+    w.database.child(Some(id), "cm", "marker")
+}
+
+fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let given = w.database.number(id, "mass").map(|mass| {
+        let of = |name| w.database.number(id, name).unwrap_or(0.0);
+        Mass {
+            mass,
+            center: w.database.reference(id, "center_of_mass_marker"),
+            inertia_marker: w.database.reference(id, "inertia_marker"),
+            inertia: [of("ixx"), of("iyy"), of("izz"), of("ixy"), of("izx"), of("iyz")],
+        }
+    });
+    let Some(mass) = given.or_else(|| w.options.mass.and_then(|of| of(w.database, id))) else {
+        let name = w.database.full_name(id);
+        w.warn("dataset/no-mass", format!("the mass of `{name}` is not given"));
+        return;
+    };
+    let digits = w.options.digits;
+    lines.argument("MASS", &number(mass.mass, digits));
+    if let Some(center) = mass.center.or_else(|| marker_cm(w, id)) {
+        let center = w.id_of(id, center).to_string();
+        lines.argument("CM", &center);
+    }
+    if let Some(marker) = mass.inertia_marker {
+        let marker = w.id_of(id, marker).to_string();
+        lines.argument("IM", &marker);
+    }
+    let [moments @ .., xy, xz, yz] = mass.inertia;
+    if mass.inertia.iter().any(|x| *x != 0.0) {
+        let mut values = moments.to_vec();
+        if [xy, xz, yz] != [0.0; 3] {
+            values.extend([xy, xz, yz]);
+        }
+        lines.list("IP", &values.iter().map(|x| number(*x, digits)).collect::<Vec<_>>());
+    }
+}
+
+pub(super) fn marker(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let parent = w.database.object(id).parent;
+    if let Some(body) = parent.filter(|p| w.database.object(*p).class.is("body")) {
+        let number = w.id_of(id, body).to_string();
+        let point_mass = w.database.object(body).class.statement == Some("POINT_MASS");
+        lines.argument(if point_mass { "POINT_MASS" } else { "PART" }, &number);
+    } else {
+        let name = w.database.full_name(id);
+        w.fail("dataset/marker-without-part", format!("the marker `{name}` belongs to no part"));
+    }
+    place(w, id, "QP", lines);
+    for unwritten in ["node_id", "curve_name"] {
+        if w.database.value(id, unwritten).is_some_and(|v| *v != Value::Nothing) {
+            let name = w.database.full_name(id);
+            w.warn("dataset/argument-not-written", format!("`{unwritten}` of `{name}` is not written yet"));
+        }
+    }
+}

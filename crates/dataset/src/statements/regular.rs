@@ -1,0 +1,82 @@
+//! Statements that follow from the schema: each field with a keyword is an argument.
+
+use model::{ObjectId, Value};
+use schema::{Default, Field, Kind};
+
+use super::{function_or_user, numbers, reference};
+use crate::{layout::Lines, write::Writer};
+
+/// Arguments in the order exports write them, where that is not the order of the fields.
+const ORDER: &[(&str, &[&str])] = &[(
+    "BEAM",
+    &[
+        "I",
+        "J",
+        "LENGTH",
+        "IXX",
+        "IYY",
+        "IZZ",
+        "AREA",
+        "ASY",
+        "ASZ",
+        "EMODULUS",
+        "GMODULUS",
+        "CRATIO",
+        "CMATRIX",
+        "FORMULATION",
+    ],
+)];
+
+/// Appends all arguments of an object.
+pub(super) fn arguments(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let class = w.database.object(id).class;
+    let mut fields: Vec<&Field> = class.fields().filter(|f| f.keyword.is_some()).collect();
+    fields.dedup_by_key(|f| f.name);
+    if let Some((_, order)) = ORDER.iter().find(|(statement, _)| class.statement == Some(*statement)) {
+        fields.sort_by_key(|f| order.iter().position(|k| Some(*k) == f.keyword).unwrap_or(order.len()));
+    }
+    for field in fields {
+        argument(w, id, field, lines);
+    }
+}
+
+fn argument(w: &mut Writer<'_>, id: ObjectId, field: &Field, lines: &mut Lines) {
+    let Some(keyword) = field.keyword else { return };
+    match field.kind {
+        // The routine is written with the function it belongs to.
+        Kind::Text if keyword == "ROUTINE" => {}
+        Kind::Function => function_or_user(w, id, lines),
+        Kind::Object(..) => match w.database.value(id, field.name).map(Value::objects) {
+            Some(objects) if objects.len() > 1 => {
+                let ids: Vec<_> = objects.iter().map(|o| w.id_of(id, *o).to_string()).collect();
+                lines.list(keyword, &ids);
+            }
+            _ => reference(w, id, field.name, keyword, lines),
+        },
+        Kind::Boolean(..) => {
+            if w.database.flag(id, field.name) == Some(true) {
+                lines.flag(keyword);
+            }
+        }
+        Kind::Choice(_) => {
+            if let Some(word) = w.database.text(id, field.name) {
+                lines.argument(keyword, &word.to_ascii_uppercase());
+            }
+        }
+        Kind::Text | Kind::File => {
+            if let Some(text) = w.database.text(id, field.name).filter(|t| !t.is_empty()) {
+                lines.argument(keyword, text);
+            }
+        }
+        Kind::Real | Kind::Integer | Kind::Location | Kind::Orientation | Kind::Any => {
+            // A number that is zero unless given is written where it is not.
+            let zero = w.database.number(id, field.name) == Some(0.0);
+            if zero && field.default == Default::Number(0.0) {
+                return;
+            }
+            if let Some(values) = numbers(w, id, field) {
+                lines.list(keyword, &values);
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! REQUEST: two markers and what is recorded of them, or up to eight functions.
+
+use model::ObjectId;
+
+use super::{function_text, reference, texts, user_function};
+use crate::{layout::Lines, write::Writer};
+
+pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let kind = w.database.text(id, "output_type").map(str::to_ascii_uppercase);
+    let of_markers = w.database.reference(id, "i_marker_name").is_some();
+    if let Some(kind) = kind.filter(|_| of_markers) {
+        lines.flag(&kind);
+        reference(w, id, "i_marker_name", "I", lines);
+        reference(w, id, "j_marker_name", "J", lines);
+        reference(w, id, "r_marker_name", "RM", lines);
+    }
+    if let Some(comment) = w.database.text(id, "comment").filter(|c| !c.is_empty()) {
+        lines.argument("COMMENT", comment);
+    }
+    let strings = [
+        ("title", "TITLE"),
+        ("component_names", "CNAMES"),
+        ("component_units", "CUNITS"),
+        ("component_labels", "CLABELS"),
+    ];
+    for (field, keyword) in strings {
+        let words = texts(w.database, id, field);
+        if words.iter().any(|word| !word.is_empty()) {
+            if keyword == "TITLE" {
+                lines.argument(keyword, &words.join(":"));
+            } else {
+                lines.list(keyword, &words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>());
+            }
+        }
+    }
+    if let Some(name) = w.database.text(id, "results_name").filter(|n| !n.is_empty()) {
+        lines.argument("RESULTS_NAME", name);
+    }
+    if let Some(call) = user_function(w, id) {
+        lines.function("FUNCTION", &call);
+        if let Some(routine) = w.database.text(id, "routine").filter(|r| !r.is_empty()) {
+            lines.end_function();
+            lines.argument("ROUTINE", routine);
+        }
+        return;
+    }
+    if !texts(w.database, id, "variable_name").is_empty() {
+        let name = w.database.full_name(id);
+        w.warn("dataset/argument-not-written", format!("`variable_name` of `{name}` is not written yet"));
+    }
+    let mut earlier = false;
+    for (field, keyword) in
+        [("f1", "F1"), ("f2", "F2"), ("f3", "F3"), ("f4", "F4"), ("f5", "F5"), ("f6", "F6"), ("f7", "F7"), ("f8", "F8")]
+    {
+        let text = function_text(w, id, field);
+        if !text.is_empty() {
+            if earlier {
+                lines.end_function();
+            }
+            lines.function(keyword, &text);
+            earlier = true;
+        }
+    }
+}

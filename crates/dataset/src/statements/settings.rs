@@ -1,0 +1,165 @@
+//! Settings of solver and output: one statement each, arguments as words, switches or numbers.
+
+use model::{ObjectId, Value};
+
+use super::numbers;
+use crate::{layout::Lines, write::Writer};
+
+/// How a field becomes an argument.
+#[derive(Clone, Copy)]
+enum As {
+    /// `, KEYWORD = value`.
+    Value,
+    /// The value itself, in capitals: `, HHT`.
+    Word,
+    /// `, KEYWORD` when on.
+    On,
+    /// `, KEYWORD` when off.
+    Off,
+    /// `, KEYWORD` when on or not set.
+    OnUnlessOff,
+}
+
+const INTEGRATOR: &[(&str, &str, As)] = &[
+    ("integrator_type", "", As::Word),
+    ("formulation", "", As::Word),
+    ("error_tolerance", "ERROR", As::Value),
+    ("maxit_corrector_iterations", "MAXIT", As::Value),
+    ("hinit_time_step", "HINIT", As::Value),
+    ("hmin_time_step", "HMIN", As::Value),
+    ("hmax_time_step", "HMAX", As::Value),
+    ("kmax_integrator_order", "KMAX", As::Value),
+    ("adaptivity", "ADAPTIVITY", As::Value),
+    ("alpha", "ALPHA", As::Value),
+    ("beta", "BETA", As::Value),
+    ("gamma", "GAMMA", As::Value),
+    ("corrector", "CORRECTOR", As::Value),
+];
+const EQUILIBRIUM: &[(&str, &str, As)] = &[
+    ("alimit", "ALIMIT", As::Value),
+    ("error", "ERROR", As::Value),
+    ("imbalance", "IMBALANCE", As::Value),
+    ("maxit", "MAXIT", As::Value),
+    ("stability", "STABILITY", As::Value),
+    ("tlimit", "TLIMIT", As::Value),
+];
+const KINEMATICS: &[(&str, &str, As)] = &[
+    ("alimit", "ALIMIT", As::Value),
+    ("error", "ERROR", As::Value),
+    ("maxit", "MAXIT", As::Value),
+    ("aerror", "AERROR", As::Value),
+    ("amaxit", "AMAXIT", As::Value),
+    ("tlimit", "TLIMIT", As::Value),
+    ("hmax", "HMAX", As::Value),
+];
+const OUTPUT: &[(&str, &str, As)] = &[
+    ("reqsave", "REQSAVE", As::OnUnlessOff),
+    ("grsave", "GRSAVE", As::OnUnlessOff),
+    ("osformat", "OSFORMAT", As::On),
+    ("chart", "CHART", As::On),
+    ("fixed", "FIXED", As::On),
+    ("ypr", "YPR", As::On),
+    ("icsave", "ICSAVE", As::On),
+    ("teletype", "TELETYPE", As::On),
+    ("separator", "NOSEPARATOR", As::Off),
+    ("print", "NOPRINT", As::Off),
+    ("dscale", "DSCALE", As::Value),
+    ("vscale", "VSCALE", As::Value),
+    ("ascale", "ASCALE", As::Value),
+    ("fscale", "FSCALE", As::Value),
+    ("dzero", "DZERO", As::Value),
+    ("vzero", "VZERO", As::Value),
+    ("azero", "AZERO", As::Value),
+    ("fzero", "FZERO", As::Value),
+];
+const RESULTS: &[(&str, &str, As)] = &[
+    ("formatted", "FORMATTED", As::On),
+    ("displacements", "NODISPLACEMENTS", As::Off),
+    ("velocities", "NOVELOCITIES", As::Off),
+    ("accelerations", "NOACCELERATIONS", As::Off),
+    ("applied_forces", "NOAPPLIEDFORCES", As::Off),
+    ("reaction_forces", "NOREACTIONFORCES", As::Off),
+    ("data_structures", "NODATASTRUCTURES", As::Off),
+    ("system_elements", "NOSYSTEMELEMENTS", As::Off),
+    ("linear", "NOLINEAR", As::Off),
+    ("floating_markers", "NOFLOATINGMARKERS", As::Off),
+    ("xrf", "XRF", As::OnUnlessOff),
+    ("request", "NOREQUESTS", As::Off),
+    ("contact_incidents", "NOCONTACTS", As::Off),
+    ("comment", "COMMENT", As::Value),
+];
+const PREFERENCES: &[(&str, &str, As)] =
+    &[("contact_faceting_tolerance", "CONTACT_FACETING_TOLERANCE", As::Value), ("thread_count", "NTHREADS", As::Value)];
+
+/// The statement of a settings object. OUTPUT and RESULTS are written without one too, as View does.
+pub(crate) fn settings(w: &mut Writer<'_>, statement: &str, object: Option<ObjectId>) -> Option<Lines> {
+    let table = match statement {
+        "INTEGRATOR" => INTEGRATOR,
+        "EQUILIBRIUM" => EQUILIBRIUM,
+        "KINEMATICS" => KINEMATICS,
+        "OUTPUT" => OUTPUT,
+        "RESULTS" => RESULTS,
+        _ => PREFERENCES,
+    };
+    if object.is_none() && statement != "OUTPUT" && statement != "RESULTS" {
+        return None;
+    }
+    let mut lines = Lines::new(statement, None);
+    for (field, keyword, how) in table {
+        let value = object.and_then(|id| w.database.value(id, field)).cloned();
+        argument(w, object, (field, keyword, *how), value.as_ref(), &mut lines);
+    }
+    if let Some(id) = object {
+        unwritten(w, id, table);
+    }
+    Some(lines)
+}
+
+fn argument(
+    w: &Writer<'_>,
+    object: Option<ObjectId>,
+    (name, keyword, how): (&str, &str, As),
+    value: Option<&Value>,
+    lines: &mut Lines,
+) {
+    let on = value.map(|v| match v {
+        Value::Text(word) => word != "off" && word != "no",
+        other => other.as_number() != Some(0.0),
+    });
+    match (how, value) {
+        (As::On, _) if on == Some(true) => lines.flag(keyword),
+        (As::Off, _) if on == Some(false) => lines.flag(keyword),
+        (As::OnUnlessOff, _) if on != Some(false) => lines.flag(keyword),
+        (As::Word, Some(Value::Text(word))) if word != "none" => {
+            let capitals = word.to_ascii_uppercase();
+            lines.flag(if word == "si2_gstiff" { "SI2" } else { &capitals });
+        }
+        (As::Value, Some(Value::Text(word))) => lines.argument(keyword, &word.to_ascii_uppercase()),
+        (As::Value, Some(_)) => {
+            let Some(id) = object else { return };
+            let class = w.database.object(id).class;
+            let Some(field) = class.cell_index(name).map(|index| class.field(index)) else { return };
+            if let Some(values) = numbers(w, id, field) {
+                lines.list(keyword, &values);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Names settings that are given but have no argument here.
+fn unwritten(w: &mut Writer<'_>, id: ObjectId, table: &[(&str, &str, As)]) {
+    let class = w.database.object(id).class;
+    for field in class.fields() {
+        let known = field.name == "model_name" || table.iter().any(|(name, ..)| *name == field.name);
+        let default = match field.default {
+            schema::Default::Number(x) => w.database.number(id, field.name) == Some(x),
+            schema::Default::Word(word) => w.database.text(id, field.name) == Some(word),
+            _ => false,
+        };
+        if !known && !default && w.database.value(id, field.name).is_some() {
+            let statement = class.statement.unwrap_or(class.word);
+            w.warn("dataset/argument-not-written", format!("`{}` of {statement} is not written yet", field.name));
+        }
+    }
+}

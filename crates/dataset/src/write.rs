@@ -1,0 +1,352 @@
+//! A model as the text of a dataset: sections in View's order, objects by number.
+
+use std::collections::BTreeMap;
+
+use model::{Database, ObjectId};
+use schema::UnitSystem;
+use text::{Diagnostic, Severity};
+
+use crate::{
+    Digits,
+    ids::number_objects,
+    layout::{Lines, banner, centred},
+    number::number,
+    statements,
+};
+
+/// Mass of a part in model units: where it follows from the shapes of the part, only the caller
+/// knows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mass {
+    pub mass: f64,
+    /// Marker at the centre of mass.
+    pub center: Option<ObjectId>,
+    /// Marker the inertias refer to, if it is another one.
+    pub inertia_marker: Option<ObjectId>,
+    /// xx, yy, zz, xy, xz, yz.
+    pub inertia: [f64; 6],
+}
+
+/// Finds the mass of a part.
+pub type MassOf<'a> = dyn Fn(&Database, ObjectId) -> Option<Mass> + 'a;
+
+/// How to write.
+#[derive(Clone, Copy, Default)]
+pub struct Options<'a> {
+    pub digits: Digits,
+    /// Asked for parts that have no mass of their own given.
+    pub mass: Option<&'a MassOf<'a>>,
+}
+
+/// A dataset, and what of the model is not in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Written {
+    pub text: String,
+    /// Each is also a comment line in the text.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Writes a model in the units in force. Objects without a number get one first, for good. An error
+/// means that no dataset could stand for the model; numbers given by then stay.
+pub fn write(database: &mut Database, model: ObjectId, options: Options<'_>) -> Result<Written, Vec<Diagnostic>> {
+    number_objects(database, model)?;
+    let mut writer = Writer {
+        database,
+        options,
+        lines: Vec::new(),
+        warnings: Vec::new(),
+        errors: Vec::new(),
+        skipped: BTreeMap::new(),
+    };
+    writer.model(model);
+    if writer.errors.is_empty() {
+        let mut text = writer.lines.join("\n");
+        text.push('\n');
+        Ok(Written { text, warnings: writer.warnings })
+    } else {
+        Err(writer.errors)
+    }
+}
+
+/// Sections after the parts: banner and statements in the order exports write them.
+const SECTIONS: &[(&str, &[&str])] = &[
+    ("CONSTRAINTS", &["JOINT", "JPRIM", "MOTION"]),
+    ("FORCES", &["BEAM", "BUSHING", "FIELD", "SFORCE", "SPRINGDAMPER", "VFORCE", "VTORQUE", "GFORCE"]),
+    ("OUTPUT", &["REQUEST"]),
+];
+const SETTINGS: &[&str] = &["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"];
+
+pub(crate) struct Writer<'a> {
+    pub database: &'a Database,
+    pub options: Options<'a>,
+    lines: Vec<String>,
+    warnings: Vec<Diagnostic>,
+    errors: Vec<Diagnostic>,
+    /// Shapes without a statement, counted by their word.
+    skipped: BTreeMap<&'static str, usize>,
+}
+
+impl Writer<'_> {
+    fn model(&mut self, model: ObjectId) {
+        let name = self.database.object(model).name.clone();
+        self.lines.push(format!("Adams View model name: {name}"));
+        let comments = statements::texts(self.database, model, "comments");
+        if !comments.is_empty() {
+            self.lines.extend(comments.iter().map(|c| comment(c)));
+            self.lines.push("! END OF MODEL COMMENTS".to_string());
+        }
+        self.banner("SYSTEM UNITS");
+        self.units();
+        self.banner("PARTS");
+        self.bodies(model);
+        self.sections(model);
+        self.gravity(model);
+        self.settings(model);
+        self.rest(model);
+        self.lines.push("!".to_string());
+        self.lines.push("END".to_string());
+    }
+
+    fn banner(&mut self, title: &str) {
+        self.lines.push("!".to_string());
+        self.lines.push(banner(title));
+    }
+
+    fn units(&mut self) {
+        let units: &UnitSystem = self.database.units();
+        let mut lines = Lines::new("UNITS", None);
+        for (keyword, unit) in
+            [("FORCE", units.force), ("MASS", units.mass), ("LENGTH", units.length), ("TIME", units.time)]
+        {
+            if let Some(word) = solver_unit(unit.name) {
+                lines.argument(keyword, word);
+            } else {
+                let message = format!("a dataset has no word for the unit `{}`", unit.name);
+                self.errors.push(Diagnostic::error("dataset/unknown-unit", message));
+            }
+        }
+        if let Some(factor) = units.consistency_factor {
+            lines.argument("UCF", &number(factor, self.options.digits));
+        }
+        self.lines.push("!".to_string());
+        self.lines.extend(lines.finish());
+    }
+
+    /// Objects of some statements below a parent, by number.
+    fn by_number(&self, parent: ObjectId, wanted: impl Fn(&str, &str) -> bool) -> Vec<ObjectId> {
+        let mut found: Vec<_> = self.database.subtree(parent);
+        found.retain(|&id| {
+            let class = self.database.object(id).class;
+            id != parent && class.statement.is_some_and(|s| wanted(s, class.id))
+        });
+        found.sort_by_key(|&id| (self.database.integer(id, "adams_id").unwrap_or(0), id));
+        found
+    }
+
+    fn bodies(&mut self, model: ObjectId) {
+        let mut bodies = self.by_number(model, |s, _| s == "PART" || s == "POINT_MASS");
+        bodies.sort_by_key(|&id| {
+            let class = self.database.object(id).class;
+            (class.id != "ground", class.statement == Some("POINT_MASS"))
+        });
+        for body in bodies {
+            let class = self.database.object(body).class;
+            self.banner(match class.id {
+                "ground" => "Ground",
+                "point_mass" => "Point Mass",
+                _ => "Part",
+            });
+            self.object(body);
+            let markers = self.by_number(body, |s, _| s == "MARKER");
+            let shapes = self.by_number(body, |s, class| s == "GRAPHICS" && !statements::moves(class));
+            for id in markers.into_iter().chain(shapes) {
+                self.object(id);
+            }
+        }
+    }
+
+    fn sections(&mut self, model: ObjectId) {
+        let dynamic = self.by_number(model, |s, class| s == "GRAPHICS" && statements::moves(class));
+        if !dynamic.is_empty() {
+            self.banner("DYNAMIC GRAPHICS");
+            for id in dynamic {
+                self.object(id);
+            }
+        }
+        for (title, kinds) in SECTIONS {
+            let groups: Vec<_> = kinds.iter().map(|kind| self.by_number(model, |s, _| s == *kind)).collect();
+            // Measures count as requests in the schema, but View keeps them to itself.
+            let objects: Vec<_> = groups
+                .into_iter()
+                .flatten()
+                .filter(|id| self.database.object(*id).class.cell_index("adams_id").is_some())
+                .collect();
+            if !objects.is_empty() {
+                self.banner(title);
+                for id in objects {
+                    self.object(id);
+                }
+            }
+        }
+    }
+
+    fn gravity(&mut self, model: ObjectId) {
+        let fields = self.by_number(model, |s, _| s == "ACCGRAV");
+        if let Some((&last, others)) = fields.split_last() {
+            for &other in others {
+                let name = self.database.full_name(other);
+                self.warn("dataset/second-gravity", format!("`{name}` is not written: a dataset has one gravity"));
+            }
+            self.banner("GRAVITATIONAL ACCELERATION");
+            let lines = statements::gravity(self, last);
+            self.lines.push("!".to_string());
+            self.commented(last, lines.finish());
+        }
+    }
+
+    fn settings(&mut self, model: ObjectId) {
+        self.banner("ANALYSIS SETTINGS");
+        for statement in SETTINGS {
+            let object = self.by_number(model, |s, _| s == *statement).pop();
+            if let Some(lines) = statements::settings(self, statement, object) {
+                self.lines.push("!".to_string());
+                self.lines.extend(lines.finish());
+            }
+        }
+    }
+
+    /// Names what a dataset has a statement for and the writer has none.
+    fn rest(&mut self, model: ObjectId) {
+        let known = |statement: &str| {
+            ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV"].contains(&statement)
+                || SETTINGS.contains(&statement)
+                || SECTIONS.iter().any(|(_, kinds)| kinds.contains(&statement))
+        };
+        for id in self.by_number(model, |s, _| !known(s)) {
+            let name = self.database.full_name(id);
+            let word = self.database.object(id).class.word;
+            self.warn("dataset/not-written", format!("{word} `{name}` is not written yet"));
+        }
+        if !self.skipped.is_empty() {
+            let kinds: Vec<_> = self.skipped.iter().map(|(word, count)| format!("{count} {word}")).collect();
+            let message = format!("shapes without a statement, which change no result: {}", kinds.join(", "));
+            self.lines.push("!".to_string());
+            self.lines.push(format!("! not written: {message}"));
+            self.warnings.push(Diagnostic::new(Severity::Note, "dataset/shapes-not-written", message));
+        }
+    }
+
+    /// One object: its comments, its name, its statement; inactive objects as comments.
+    fn object(&mut self, id: ObjectId) {
+        let Some(lines) = statements::statement(self, id) else { return };
+        self.lines.push("!".to_string());
+        let name = self.name_in_section(id);
+        let comments = statements::texts(self.database, id, "comments");
+        self.lines.extend(comments.iter().map(|c| comment(c)));
+        self.lines.push(centred(&format!("adams_view_name='{name}'")));
+        self.commented(id, lines.finish());
+    }
+
+    fn commented(&mut self, id: ObjectId, lines: Vec<String>) {
+        let inactive = self.database.text(id, "active").is_some_and(|word| word == "off");
+        let mark = if inactive { "!" } else { "" };
+        self.lines.extend(lines.into_iter().map(|line| format!("{mark}{line}")));
+    }
+
+    /// Name below the model or the body that owns the object; steps joined by dots.
+    fn name_in_section(&self, id: ObjectId) -> String {
+        let mut name = self.database.object(id).name.clone();
+        let mut next = self.database.object(id).parent;
+        while let Some(parent) = next {
+            let object = self.database.object(parent);
+            if object.class.id == "model" || object.class.is("body") {
+                break;
+            }
+            name = format!("{}.{name}", object.name);
+            next = object.parent;
+        }
+        name
+    }
+
+    // ---- for the statements ----
+
+    /// A shape that only View draws.
+    pub fn skip_shape(&mut self, id: ObjectId) {
+        *self.skipped.entry(self.database.object(id).class.word).or_default() += 1;
+    }
+
+    /// Something of the model that is not in the dataset.
+    pub fn warn(&mut self, code: &'static str, message: String) {
+        self.lines.push("!".to_string());
+        self.lines.push(format!("! not written: {message}"));
+        self.warnings.push(Diagnostic::warning(code, message));
+    }
+
+    /// Something without which the dataset would be wrong.
+    pub fn fail(&mut self, code: &'static str, message: String) {
+        self.errors.push(Diagnostic::error(code, message));
+    }
+
+    /// Number of an object in the dataset; reported if it has none.
+    pub fn id_of(&mut self, user: ObjectId, id: ObjectId) -> i64 {
+        let number = self.database.get(id).and_then(|_| self.database.integer(id, "adams_id")).filter(|n| *n > 0);
+        number.unwrap_or_else(|| {
+            let other = if self.database.get(id).is_some() { self.database.full_name(id) } else { "?".to_string() };
+            let message =
+                format!("`{}` refers to `{other}`, which has no place in a dataset", self.database.full_name(user));
+            self.fail("dataset/no-statement", message);
+            0
+        })
+    }
+}
+
+/// A comment line; the reader takes the blank away again.
+fn comment(text: &str) -> String {
+    if text.is_empty() { "!".to_string() } else { format!("! {text}") }
+}
+
+/// The word of a dataset for a unit.
+fn solver_unit(name: &str) -> Option<&'static str> {
+    const WORDS: &[(&str, &str)] = &[
+        ("newton", "NEWTON"),
+        ("knewton", "KNEWTON"),
+        ("dyne", "DYNE"),
+        ("pound_force", "POUND_FORCE"),
+        ("kpound_force", "KPOUND_FORCE"),
+        ("kg_force", "KILOGRAM_FORCE"),
+        ("ounce_force", "OUNCE_FORCE"),
+        ("millinewton", "MILLINEWTON"),
+        ("centinewton", "CENTINEWTON"),
+        ("poundal", "POUNDAL"),
+        ("kg", "KILOGRAM"),
+        ("gram", "GRAM"),
+        ("pound_mass", "POUND_MASS"),
+        ("kpound_mass", "KPOUND_MASS"),
+        ("slug", "SLUG"),
+        ("slinch", "SLINCH"),
+        ("ounce_mass", "OUNCE_MASS"),
+        ("tonne", "TONNE"),
+        ("milligram", "MILLIGRAM"),
+        ("microgram", "MICROGRAM"),
+        ("mm", "MILLIMETER"),
+        ("cm", "CENTIMETER"),
+        ("meter", "METER"),
+        ("km", "KILOMETER"),
+        ("micrometer", "MICROMETER"),
+        ("nanometer", "NANOMETER"),
+        ("inch", "INCH"),
+        ("foot", "FOOT"),
+        ("yard", "YARD"),
+        ("mile", "MILE"),
+        ("mils", "MILS"),
+        ("microinch", "MICROINCH"),
+        ("second", "SECOND"),
+        ("millisecond", "MILLISECOND"),
+        ("microsecond", "MICROSECOND"),
+        ("nanosecond", "NANOSECOND"),
+        ("minute", "MINUTE"),
+        ("hour", "HOUR"),
+        ("day", "DAY"),
+    ];
+    WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
+}
