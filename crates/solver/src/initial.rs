@@ -132,13 +132,24 @@ impl Accelerations {
         state: &mut SystemState,
         matrix: &mut NewtonMatrix,
     ) -> Result<(), Failure> {
-        let (n, m, t) = (dae.velocities(), dae.constraints(), state.t);
-        self.x.resize(n + m, 0.0);
-        self.rate.resize(m, 0.0);
-        let SystemState { q, v, a, lambda, .. } = &*state;
+        let SystemState { t, q, v, a, lambda } = &*state;
+        let t = *t;
         let at = JacobianPoint { t, q, v, a, lambda, mass: 1.0, damping: 0.0, stiffness: 0.0 };
         matrix.assemble(dae, at).map_err(Failure::evaluation(t))?;
         matrix.factor().map_err(|singular| Failure::new(Reason::Singular, t).at(dae, singular.unknown, 0.0))?;
+        self.solve(dae, state, matrix)
+    }
+
+    /// The same with the matrix already assembled and factored at this state.
+    pub fn solve(
+        &mut self,
+        dae: &mut dyn Dae,
+        state: &mut SystemState,
+        matrix: &mut NewtonMatrix,
+    ) -> Result<(), Failure> {
+        let (n, m, t) = (dae.velocities(), dae.constraints(), state.t);
+        self.x.resize(n + m, 0.0);
+        self.rate.resize(m, 0.0);
         // Linear but for loads that depend on accelerations or reactions; the second pass also
         // removes rounding.
         let mut last = f64::INFINITY;

@@ -66,6 +66,8 @@ struct Run {
     increment: Vec<f64>,
     positions: Vec<f64>,
     phi_t: Vec<f64>,
+    /// True when `consistent` holds the factors at `now`.
+    projected: bool,
     statistics: Statistics,
     /// The entry of `x` that was off the most when the corrector or the error test failed.
     trouble: Option<(usize, f64)>,
@@ -118,6 +120,7 @@ impl Run {
             increment: vec![0.0; n],
             positions: state.q.clone(),
             phi_t: vec![0.0; m],
+            projected: false,
             statistics: Statistics::default(),
             trouble: None,
         })
@@ -199,9 +202,14 @@ impl Run {
             interpolate(dae, from, &self.now, t, &mut state);
         }
         if dae.constraints() > 0 {
-            self.accelerations.find(dae, &mut state, &mut self.consistent)?;
-            self.statistics.jacobians += 1;
-            self.statistics.factorisations += 1;
+            if self.projected && state.t == self.now.t {
+                // The projection of the velocities has just factored this matrix.
+                self.accelerations.solve(dae, &mut state, &mut self.consistent)?;
+            } else {
+                self.projected = false;
+                self.accelerations.find(dae, &mut state, &mut self.consistent)?;
+                self.statistics.factorisations += 1;
+            }
         }
         Ok(observer.output(dae, &state))
     }
@@ -240,6 +248,7 @@ impl Run {
                     }
                     self.statistics.failures += 1;
                     self.factored_step = 0.0;
+                    self.matrix.suspect();
                     if !size.failed(h) {
                         let reason = evaluation.map_or(Reason::NoConvergence, Reason::Evaluation);
                         return Err(match outcome {
@@ -414,6 +423,7 @@ impl Run {
         let n = self.now.v.len();
         let SystemState { t, q, v, a, lambda } = &self.now;
         let at = JacobianPoint { t: *t, q, v, a, lambda, mass: 1.0, damping: 0.0, stiffness: 0.0 };
+        self.projected = false;
         self.consistent.assemble(dae, at)?;
         dae.constraint_velocity(*t, q, &mut self.phi_t)?;
         self.consistent.multiply_constraints(&self.now.v, &mut self.x[n..]);
@@ -426,6 +436,7 @@ impl Run {
         self.x[..n].fill(0.0);
         self.statistics.factorisations += 1;
         self.consistent.factor().map_err(|singular| Trouble::Singular(singular.unknown))?;
+        self.projected = true;
         self.consistent.solve(&mut self.x);
         for (vi, xi) in self.now.v.iter_mut().zip(&self.x[..n]) {
             *vi += xi;
