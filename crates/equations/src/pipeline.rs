@@ -33,6 +33,12 @@ impl Dae for System {
         Scales { increments }
     }
 
+    fn is_rotation(&self, velocity: usize) -> bool {
+        // Bodies lie in the order of their velocities.
+        let after = self.layout.bodies.partition_point(|slot| slot.velocity <= velocity);
+        self.layout.bodies[..after].last().is_some_and(|slot| (3..slot.size).contains(&(velocity - slot.velocity)))
+    }
+
     fn retract(&self, q: &[f64], increment: &[f64], out: &mut [f64]) {
         for slot in &self.layout.bodies {
             put(vec3(q, slot.position) + vec3(increment, slot.velocity), out, slot.position);
@@ -95,8 +101,11 @@ impl Dae for System {
         self.add_inertia(&at, add);
         let (stiffness, damping) = (-self.load_factor * at.stiffness, -self.load_factor * at.damping);
         let mut tangent = Blocks { layout: &self.layout, stiffness, damping, add: &mut *add };
-        for force in &self.forces {
-            force.add_tangent(&self.state, &mut tangent)?;
+        // Without both factors only masses and constraints are wanted.
+        if stiffness != 0.0 || damping != 0.0 {
+            for force in &self.forces {
+                force.add_tangent(&self.state, &mut tangent)?;
+            }
         }
         self.add_constraints(&at, add)
     }
