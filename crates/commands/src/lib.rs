@@ -1,1 +1,41 @@
-//! (see ARCHITECTURE.md)
+//! The interpreter of the Adams View command language.
+//!
+//! A [`Program`](program::Program) is a parsed text. [`Interpreter`] runs it: the keywords lead
+//! through the [command tree](tree) to an action, arguments are [bound](call) to parameters, and
+//! either the tables of a class [create or change objects](objects) or a [verb](verbs) runs. Every
+//! command is all or nothing and one step of undo. What is understood but not executed is named in
+//! a warning.
+
+mod arguments;
+mod blocks;
+mod call;
+mod control;
+mod ends;
+mod evaluation;
+mod export;
+mod function_text;
+mod host;
+mod interpreter;
+mod journal;
+mod known;
+mod lookup;
+mod macros;
+mod names;
+mod number;
+mod objects;
+mod place;
+mod program;
+mod statement;
+mod tree;
+mod values;
+mod verbs;
+mod words;
+
+pub use export::write_model;
+pub use host::{Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
+pub use interpreter::{Interpreter, OnError, Report};
+pub use journal::Journal;
+pub use known::meaning;
+pub use number::{angle as angle_text, real as number_text};
+pub use tree::{Action, Command, CommandTree, Parameter, Role};
+pub use verbs::solver_commands::{SolverCommand, parse_solver_command};

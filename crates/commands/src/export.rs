@@ -1,0 +1,440 @@
+//! A model as a command file in the layout of exports. The order makes every object exist before
+//! it is referred to; what refers back and forth, functions and expressions, is filled in at the
+//! end by modify commands.
+
+use model::{Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
+use schema::{Class, Dimension, Field, Group, Kind, Use};
+
+use crate::{
+    evaluation, number, place,
+    values::{function_string, text_of},
+};
+
+/// The commands that build a model.
+pub fn write_model(database: &Database, model: ObjectId) -> String {
+    let mut writer = Writer { database, out: String::new(), frame: None };
+    writer.header(model);
+    writer.materials(model);
+    writer.bodies(model);
+    writer.elements(model);
+    writer.late(model);
+    writer.footer(model);
+    writer.out
+}
+
+struct Writer<'a> {
+    database: &'a Database,
+    out: String,
+    /// The default frame as the commands written so far have set it.
+    frame: Option<ObjectId>,
+}
+
+/// Which cells of an object a command shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// Everything; functions empty, expressions by their present value.
+    Create,
+    Functions,
+    Expressions,
+}
+
+impl Writer<'_> {
+    fn line(&mut self, text: &str) {
+        self.out.push_str(text);
+        self.out.push('\n');
+    }
+
+    /// A title across 80 columns.
+    fn banner(&mut self, title: &str) {
+        self.line("!");
+        let width = 78usize.saturating_sub(title.chars().count() + 2);
+        let left = width / 2;
+        let dashes = |n: usize| "-".repeat(n);
+        self.line(&format!("!{} {title} {}!", dashes(left), dashes(width - left)));
+        self.line("!");
+        self.line("!");
+    }
+
+    fn command(&mut self, path: &str, arguments: &[(String, String)]) {
+        self.out.push_str(path);
+        for (name, value) in arguments {
+            self.out.push_str("  &\n   ");
+            self.out.push_str(name);
+            self.out.push_str(" = ");
+            self.out.push_str(value);
+        }
+        self.out.push_str("\n!\n");
+    }
+
+    fn name(&self, id: ObjectId) -> String {
+        self.database.full_name(id)
+    }
+
+    // ---- sections ----
+
+    fn header(&mut self, model: ObjectId) {
+        let settings = self.database.settings();
+        let units = self.database.units();
+        self.line("! CMD Version:2");
+        self.banner("Default Units for Model");
+        let word = |name: &str, word: &str| (name.to_string(), word.to_string());
+        let mut arguments = vec![
+            word("length", units.length.name),
+            word("angle", if units.angle.name == "degrees" { "deg" } else { units.angle.name }),
+            word("force", units.force.name),
+            word("mass", units.mass.name),
+            word("time", if units.time.name == "second" { "sec" } else { units.time.name }),
+        ];
+        if let Some(factor) = units.consistency_factor {
+            arguments.push(word("units_consistency_factor", &number::real(factor)));
+        }
+        self.command("defaults units", &arguments);
+        self.command("defaults units", &[word("coordinate_system_type", "cartesian"), word("orientation_type", "body313")]);
+        self.banner("Default Attributes for Model");
+        let mut attributes = Vec::new();
+        for (name, default) in
+            [("inheritance", Some("bottom_up")), ("icon_visibility", Some("on")), ("grid_visibility", Some("off"))]
+        {
+            let value = settings.words.get(name).map(String::as_str).or(default);
+            attributes.extend(value.map(|v| word(name, v)));
+        }
+        for name in ["size_of_icons", "spacing_for_grid"] {
+            if let Some(metres) = settings.words.get(name).and_then(|t| t.parse::<f64>().ok()) {
+                attributes.push(word(name, &number::real(metres / units.factor(Dimension::LENGTH))));
+            }
+        }
+        self.command("defaults attributes", &attributes);
+        self.banner("Adams View Model");
+        let object = self.database.object(model);
+        let mut arguments = vec![word("model_name", &model::quoted(&object.name))];
+        arguments.extend(self.arguments(model, &object.class.groups[0], Phase::Create));
+        self.command("model create", &arguments);
+        self.line("view erase");
+        self.line("!");
+    }
+
+    fn materials(&mut self, model: ObjectId) {
+        let found = self.children(model, |c| c.id == "material");
+        if !found.is_empty() {
+            self.banner("Materials");
+            for id in found {
+                self.object(id);
+            }
+        }
+    }
+
+    fn bodies(&mut self, model: ObjectId) {
+        self.banner("Rigid Parts");
+        self.line("! Create parts and their dependent markers and graphics");
+        let mut bodies = self.children(model, |c| c.is("body"));
+        // The ground is there already; its markers come first.
+        bodies.sort_by_key(|id| self.database.object(*id).class.id != "ground");
+        let ground = self.database.child(Some(model), "ground", "ground");
+        for id in bodies {
+            let object = self.database.object(id);
+            self.banner(&object.name.clone());
+            if Some(id) == ground {
+                self.line("! ****** Ground Part ******");
+                self.line("!");
+                self.command("defaults model", &[("part_name".into(), "ground".into())]);
+            } else {
+                if let Some(ground) = ground {
+                    self.default_frame(ground);
+                }
+                if let Some(group) = object.class.groups.iter().find(|g| g.creates) {
+                    self.create(id, group);
+                }
+            }
+            self.default_frame(id);
+            let children = object.children.clone();
+            self.line("! ****** Markers for current part ******");
+            self.line("!");
+            for &child in &children {
+                let class = self.database.object(child).class;
+                if class.is("frame") {
+                    self.object(child);
+                }
+            }
+            // A ground has no mass and no velocity.
+            if object.class.id != "ground" {
+                for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g)) {
+                    self.set(id, group);
+                }
+            }
+            self.line("! ****** Graphics for current part ******");
+            self.line("!");
+            for &child in &children {
+                if !self.database.object(child).class.is("frame") {
+                    self.object(child);
+                }
+            }
+            for group in object.class.groups.iter().filter(|g| is_attributes(g)) {
+                self.set(id, group);
+            }
+        }
+    }
+
+    fn elements(&mut self, model: ObjectId) {
+        let done = |c: &Class| c.is("body") || c.id == "material";
+        let sections: [(&str, fn(&Class) -> bool); 8] = [
+            ("Joints", |c| c.is("joint")),
+            ("Constraints", |c| c.is("constraint") && c.id != "motion"),
+            ("Motions", |c| c.id == "motion"),
+            ("Forces", |c| c.is("force") && c.id != "gravity"),
+            ("Simulation Scripts", |c| c.id == "script"),
+            ("Accgrav", |c| c.id == "gravity"),
+            ("Analysis settings", |c| c.groups.first().is_some_and(|g| g.object.is_empty())),
+            ("Other objects", |_| true),
+        ];
+        let mut rest = self.children(model, |c| !done(c));
+        for (title, belongs) in sections {
+            let (now, later): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| belongs(self.database.object(*id).class));
+            rest = later;
+            if now.is_empty() {
+                continue;
+            }
+            self.banner(title);
+            // Groups name what may come after them.
+            let (groups, others): (Vec<_>, Vec<_>) =
+                now.into_iter().partition(|id| self.database.object(*id).class.id == "group");
+            for id in others.into_iter().chain(groups) {
+                self.object(id);
+                for child in self.database.object(id).children.clone() {
+                    self.object(child);
+                }
+            }
+        }
+    }
+
+    /// Functions and expressions, now that everything exists.
+    fn late(&mut self, model: ObjectId) {
+        for (title, phase) in
+            [("Function definitions", Phase::Functions), ("Expression definitions", Phase::Expressions)]
+        {
+            let mut begun = false;
+            for id in self.database.subtree(model) {
+                let object = self.database.object(id);
+                for group in object.class.groups {
+                    let late = self.arguments(id, group, phase);
+                    if late.is_empty() {
+                        continue;
+                    }
+                    if !begun {
+                        begun = true;
+                        self.banner(title);
+                    }
+                    let path = modify_path(group);
+                    let mut arguments = Vec::new();
+                    if !group.object.is_empty() {
+                        arguments.push((group.object.to_string(), self.name(id)));
+                    }
+                    arguments.extend(late);
+                    self.command(&path, &arguments);
+                }
+            }
+        }
+    }
+
+    fn footer(&mut self, model: ObjectId) {
+        let name = model::quoted(&self.database.object(model).name);
+        self.command("model display", &[("model_name".into(), name)]);
+        while self.out.ends_with("!\n") {
+            self.out.truncate(self.out.len() - 2);
+        }
+    }
+
+    // ---- objects ----
+
+    fn children(&self, parent: ObjectId, wanted: impl Fn(&Class) -> bool) -> Vec<ObjectId> {
+        let children = &self.database.object(parent).children;
+        children.iter().copied().filter(|id| wanted(self.database.object(*id).class)).collect()
+    }
+
+    fn default_frame(&mut self, id: ObjectId) {
+        if self.frame != Some(id) {
+            self.frame = Some(id);
+            let name = self.name(id);
+            self.command("defaults coordinate_system", &[("default_coordinate_system".into(), name)]);
+        }
+    }
+
+    /// The command that creates an object, and those that set what it has besides.
+    fn object(&mut self, id: ObjectId) {
+        for group in self.database.object(id).class.groups {
+            if group.creates {
+                self.create(id, group);
+            } else {
+                self.set(id, group);
+            }
+        }
+    }
+
+    fn create(&mut self, id: ObjectId, group: &Group) {
+        let mut arguments = Vec::new();
+        if !group.object.is_empty() {
+            arguments.push((group.object.to_string(), self.name(id)));
+        }
+        arguments.extend(self.arguments(id, group, Phase::Create));
+        self.command(group.command, &arguments);
+    }
+
+    fn set(&mut self, id: ObjectId, group: &Group) {
+        let values = self.arguments(id, group, Phase::Create);
+        if !values.is_empty() {
+            let mut arguments = vec![(group.object.to_string(), self.name(id))];
+            arguments.extend(values);
+            self.command(group.command, &arguments);
+        }
+    }
+
+    /// The arguments of one command for one object.
+    fn arguments(&self, id: ObjectId, group: &Group, phase: Phase) -> Vec<(String, String)> {
+        let object = self.database.object(id);
+        let class = object.class;
+        let mut found = Vec::new();
+        for field in group.fields {
+            let Some(index) = class.cell_index(field.name) else { continue };
+            let Some(cell) = object.cells.get(index).and_then(Option::as_ref) else { continue };
+            let unused = if phase == Phase::Create { Use::Modify } else { Use::Create };
+            if field.usage == unused || field.name == "relative_to" && class.cell_index("location").is_some() {
+                continue;
+            }
+            // Fields that only place or only appear once the object is there are not repeated.
+            if field.name == "adams_id" && cell.value == Value::Integer(0) {
+                continue;
+            }
+            let function = matches!(cell.value, Value::Function(_));
+            let value = match phase {
+                Phase::Create if function => "\"\"".to_string(),
+                Phase::Create => match self.value(CellKey::new(id, index), field, cell) {
+                    Some(text) => text,
+                    None => continue,
+                },
+                Phase::Functions if function => match &cell.value {
+                    Value::Function(f) if !f.is_empty() => quoted_text(&function_string(f, self.database)),
+                    _ => continue,
+                },
+                Phase::Expressions if cell.is_expression() && !function => self.expression(id, field, cell),
+                _ => continue,
+            };
+            found.push((field.name.to_string(), value));
+            let placed = place::PLACING.contains(&field.name);
+            if phase == Phase::Expressions && placed && !found.iter().any(|(n, _)| n == "relative_to") {
+                let frame = self.database.reference(id, "relative_to").or(object.parent);
+                if let Some(frame) = frame.filter(|_| class.cell_index("relative_to").is_some()) {
+                    found.push(("relative_to".into(), self.name(frame)));
+                }
+            }
+        }
+        // One `relative_to` behind all that it concerns.
+        if let Some(at) = found.iter().position(|(n, _)| n == "relative_to") {
+            let entry = found.remove(at);
+            found.push(entry);
+        }
+        found
+    }
+
+    fn expression(&self, id: ObjectId, field: &Field, cell: &Cell) -> String {
+        match &cell.source {
+            Source::Expression(e) => format!("({})", evaluation::print(e, self.database)),
+            Source::Elements(elements) => {
+                let mut numbers = cell.value.as_numbers().unwrap_or_default();
+                let ratio = self.ratio(cell.units, field.dimension);
+                numbers.iter_mut().for_each(|x| *x *= ratio);
+                if matches!(field.kind, Kind::Location | Kind::Orientation) {
+                    numbers = self.in_frame(id, field, numbers);
+                }
+                let text = |(i, e): (usize, &Option<model::Expression>)| match e {
+                    Some(e) => format!("({})", evaluation::print(e, self.database)),
+                    None => self.number(field, numbers.get(i).copied().unwrap_or(0.0)),
+                };
+                elements.iter().enumerate().map(text).collect::<Vec<_>>().join(", ")
+            }
+            Source::Literal => String::new(),
+        }
+    }
+
+    /// Stored coordinates as they were typed: in the frame `relative_to`.
+    fn in_frame(&self, id: ObjectId, field: &Field, numbers: Vec<f64>) -> Vec<f64> {
+        let Some(frame) = self.database.reference(id, "relative_to") else { return numbers };
+        let parent = self.database.object(id).parent;
+        if Some(frame) == parent || numbers.len() != 3 {
+            return numbers;
+        }
+        let parent = parent.map_or(model::Pose::GLOBAL, |p| self.database.global_pose(p));
+        let change = self.database.global_pose(frame).inverse().then(&parent);
+        let angle = self.database.units().angle.si;
+        let v = [numbers[0], numbers[1], numbers[2]];
+        if field.kind == Kind::Orientation {
+            let turned = change.rotation * model::rotation_of(model::Sequence::BODY_313, v.map(|a| a * angle));
+            model::angles_of(&turned).map(|a| a / angle).to_vec()
+        } else {
+            (change.origin + change.rotation * glam::DVec3::from_array(v)).to_array().to_vec()
+        }
+    }
+
+    fn ratio(&self, entered: UnitsId, dimension: Dimension) -> f64 {
+        if entered == self.database.settings().units || dimension == Dimension::NONE {
+            1.0
+        } else {
+            self.database.unit_system(entered).factor(dimension) / self.database.units().factor(dimension)
+        }
+    }
+
+    fn number(&self, field: &Field, x: f64) -> String {
+        match field.kind {
+            Kind::Integer => format!("{}", x as i64),
+            Kind::Orientation => self.angle(x),
+            _ if field.dimension == Dimension::ANGLE && field.kind == Kind::Real => self.angle(x),
+            _ => number::real(x),
+        }
+    }
+
+    fn angle(&self, x: f64) -> String {
+        let angle = self.database.units().angle;
+        if angle.name == "degrees" { number::angle(x) } else { number::real(x) }
+    }
+
+    /// The text of a value; none for what cannot be written.
+    fn value(&self, key: CellKey, field: &Field, cell: &Cell) -> Option<String> {
+        let _ = key;
+        let ratio = self.ratio(cell.units, field.dimension);
+        Some(match &cell.value {
+            Value::Nothing => return None,
+            Value::Number(x) => self.number(field, x * ratio),
+            Value::Integer(i) => i.to_string(),
+            Value::Array(array) => {
+                array.values.iter().map(|x| self.number(field, x * ratio)).collect::<Vec<_>>().join(", ")
+            }
+            Value::Flag(flag) => match field.kind {
+                Kind::Boolean(yes, no) => (if *flag { yes } else { no }).to_string(),
+                _ => i64::from(*flag).to_string(),
+            },
+            Value::Text(text) if matches!(field.kind, Kind::Choice(_)) => text.clone(),
+            Value::Texts(texts) if matches!(field.kind, Kind::Choice(_)) => texts.join(", "),
+            Value::Text(text) => quoted_text(text),
+            Value::Texts(texts) if texts.is_empty() => return None,
+            Value::Texts(texts) => texts.iter().map(|t| quoted_text(t)).collect::<Vec<_>>().join(", "),
+            Value::Objects(ids) if ids.is_empty() => return None,
+            Value::Object(id) if self.database.get(*id).is_none() => return None,
+            Value::Object(_) | Value::Objects(_) => text_of(&cell.value, self.database),
+            Value::Function(f) => quoted_text(&function_string(f, self.database)),
+        })
+    }
+}
+
+fn is_attributes(group: &Group) -> bool {
+    group.command.ends_with(" attributes")
+}
+
+fn modify_path(group: &Group) -> String {
+    if !group.creates && !group.command.contains(" create ") {
+        return group.command.to_string();
+    }
+    group.command.split(' ').map(|w| if w == "create" { "modify" } else { w }).collect::<Vec<_>>().join(" ")
+}
+
+/// A text in quotes, with what needs it escaped.
+fn quoted_text(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}

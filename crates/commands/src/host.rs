@@ -1,0 +1,129 @@
+//! What the interpreter asks of the rooms it may not see: to simulate, to verify, to write data
+//! sets. The facade implements [`Host`].
+
+use std::path::{Path, PathBuf};
+
+use model::{Database, ObjectId};
+use text::Diagnostic;
+
+/// The kind of a simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SimulationKind {
+    /// Kinematic where no degree of freedom is left, dynamic otherwise.
+    Auto,
+    Dynamic,
+    Kinematic,
+    /// Static solutions over a range of time.
+    Static,
+    /// One static solution at the present time.
+    Equilibrium,
+    /// Initial conditions only.
+    Assemble,
+    /// Linear modes about the present state.
+    Eigen,
+    /// Back to the state as modelled.
+    Reset,
+}
+
+/// How output times are chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutputTimes {
+    /// Number of steps.
+    Steps(u64),
+    /// Time between outputs in seconds.
+    Every(f64),
+}
+
+/// One run of the solver. All times in seconds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimulationRequest {
+    pub model: ObjectId,
+    pub kind: SimulationKind,
+    /// Absolute end time.
+    pub end: Option<f64>,
+    /// Time to go from the present one; given instead of `end`.
+    pub duration: Option<f64>,
+    pub output: OutputTimes,
+    /// A static solution first.
+    pub initial_static: bool,
+    /// Name of the analysis the results go to.
+    pub analysis_name: Option<String>,
+    /// Settings of this run as solver commands give them: (`INTEGRATOR`, `ERROR`, `1E-5`).
+    pub settings: Vec<(String, String, String)>,
+}
+
+impl SimulationRequest {
+    pub fn new(model: ObjectId, kind: SimulationKind) -> Self {
+        SimulationRequest {
+            model,
+            kind,
+            end: None,
+            duration: None,
+            output: OutputTimes::Steps(10),
+            initial_static: false,
+            analysis_name: None,
+            settings: Vec::new(),
+        }
+    }
+}
+
+/// What the interpreter cannot do itself.
+pub trait Host: Send {
+    fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>>;
+
+    /// Writes the solver data set of a model; ids that were 0 are assigned and kept.
+    fn write_data_set(
+        &mut self,
+        database: &mut Database,
+        model: ObjectId,
+        path: &Path,
+    ) -> Result<(), Vec<Diagnostic>>;
+
+    /// Reads a solver data set as a new model of that name (or of the file's name).
+    fn read_data_set(
+        &mut self,
+        _database: &mut Database,
+        _model_name: Option<&str>,
+        path: &Path,
+    ) -> Result<ObjectId, Vec<Diagnostic>> {
+        Err(vec![unavailable(&format!("reading the data set `{}`", path.display()))])
+    }
+
+    /// The lines of the verification report, and findings.
+    fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>);
+
+    /// Gives an id to every object below `model` that has none.
+    fn generate_ids(&mut self, _database: &mut Database, _model: ObjectId) -> Result<(), Vec<Diagnostic>> {
+        Err(vec![unavailable("numbering ids")])
+    }
+
+    /// Lines for the information window.
+    fn show(&mut self, _lines: &[String]) {}
+
+    /// Where a file that a command names is; relative paths are relative to the working folder.
+    fn resolve(&self, path: &str) -> PathBuf {
+        PathBuf::from(path)
+    }
+}
+
+/// A host that refuses everything: for reading and checking models.
+#[derive(Debug, Default)]
+pub struct NoHost;
+
+impl Host for NoHost {
+    fn simulate(&mut self, _: &mut Database, _: &SimulationRequest) -> Result<(), Vec<Diagnostic>> {
+        Err(vec![unavailable("a simulation")])
+    }
+
+    fn write_data_set(&mut self, _: &mut Database, _: ObjectId, _: &Path) -> Result<(), Vec<Diagnostic>> {
+        Err(vec![unavailable("writing a data set")])
+    }
+
+    fn verify(&mut self, _: &Database, _: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {
+        (Vec::new(), vec![unavailable("verification")])
+    }
+}
+
+fn unavailable(what: &str) -> Diagnostic {
+    Diagnostic::error("host/not-available", format!("{what} is not available in this session"))
+}

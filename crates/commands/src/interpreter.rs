@@ -1,0 +1,308 @@
+//! The session: its database, its commands, what it has to report.
+
+use std::{
+    path::Path,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
+
+use model::Database;
+use schema::Registry;
+use text::{Diagnostic, FileId, Sources, Span};
+
+use crate::{
+    blocks::{Blocks, Control},
+    host::{Host, NoHost},
+    journal::Journal,
+    macros::Macros,
+    names::Names,
+    program::Program,
+    tree::CommandTree,
+};
+
+/// What happens after a command that failed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OnError {
+    /// The file that holds it is left.
+    #[default]
+    AbortFile,
+    /// It is dropped, and the next one runs.
+    IgnoreCommand,
+    /// The faulty argument is taken as not given.
+    ContinueCommand,
+}
+
+/// What came of running commands.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Commands that were executed.
+    pub executed: usize,
+    /// Commands that are understood but not executed.
+    pub skipped: usize,
+    /// Commands that failed.
+    pub failed: usize,
+    /// Whether a file was left because of an error.
+    pub aborted: bool,
+    /// Whether the run was interrupted from outside.
+    pub interrupted: bool,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Report {
+    pub fn has_errors(&self) -> bool {
+        self.failed > 0 || self.aborted || self.interrupted || self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+}
+
+/// Where execution goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Flow {
+    Next,
+    Break,
+    Continue,
+    /// The command was understood and named, but not executed; counted apart from executed ones.
+    Skipped,
+    /// Leave the current macro or file.
+    Return,
+    /// Leave the file because of an error.
+    Abort,
+}
+
+/// Files that read each other, and macros that call each other, up to this depth.
+const DEEPEST: usize = 100;
+
+/// An interpreter of commands.
+pub struct Interpreter {
+    pub database: Database,
+    pub sources: Sources,
+    pub on_error: OnError,
+    pub journal: Option<Journal>,
+    pub(crate) registry: Registry,
+    pub(crate) tree: CommandTree,
+    pub(crate) host: Box<dyn Host>,
+    pub(crate) report: Report,
+    pub(crate) names: Names,
+    pub(crate) macros: Macros,
+    /// Statements whose files or macros are being read, outermost first.
+    pub(crate) trace: Vec<Span>,
+    pub(crate) undo_blocks: usize,
+    pub(crate) suppress_undo: bool,
+    /// Depth of blocks, for the journal; negative in the journal while skipping.
+    pub(crate) block_depth: usize,
+    interrupt: Arc<AtomicBool>,
+}
+
+impl Interpreter {
+    /// A session with an empty database that can do everything but simulate.
+    pub fn new(registry: Registry) -> Interpreter {
+        Self::with_host(registry, Box::new(NoHost))
+    }
+
+    pub fn with_host(mut registry: Registry, host: Box<dyn Host>) -> Interpreter {
+        if registry.class(crate::macros::CLASS.id).is_none() {
+            registry.classes.push(&crate::macros::CLASS);
+        }
+        if registry.class(crate::macros::LIBRARY.id).is_none() {
+            registry.classes.push(&crate::macros::LIBRARY);
+        }
+        let tree = CommandTree::new(&registry);
+        Interpreter {
+            database: Database::default(),
+            sources: Sources::default(),
+            on_error: OnError::default(),
+            journal: None,
+            registry,
+            tree,
+            host,
+            report: Report::default(),
+            names: Names::default(),
+            macros: Macros::default(),
+            trace: Vec::new(),
+            undo_blocks: 0,
+            suppress_undo: false,
+            block_depth: 0,
+            interrupt: Arc::new(AtomicBool::new(false)),
+        }
+    }
+
+    /// The classes of this session.
+    pub fn registry(&self) -> &Registry {
+        &self.registry
+    }
+
+    /// The commands of this session.
+    pub fn commands(&self) -> &CommandTree {
+        &self.tree
+    }
+
+    /// What simulates and writes for this session.
+    pub fn host_mut(&mut self) -> &mut dyn Host {
+        self.host.as_mut()
+    }
+
+    /// Exchanges what simulates and writes; returns what did before.
+    pub fn set_host(&mut self, host: Box<dyn Host>) -> Box<dyn Host> {
+        std::mem::replace(&mut self.host, host)
+    }
+
+    /// A flag that stops execution before the next command when it is set.
+    pub fn interrupt_flag(&self) -> Arc<AtomicBool> {
+        self.interrupt.clone()
+    }
+
+    /// Lets several interpreters and a signal handler share one flag.
+    pub fn set_interrupt_flag(&mut self, flag: Arc<AtomicBool>) {
+        self.interrupt = flag;
+    }
+
+    /// Runs a command file.
+    pub fn run_file(&mut self, path: &Path) -> Report {
+        self.report = Report::default();
+        match std::fs::read(path) {
+            Ok(bytes) => {
+                let file = self.sources.add_bytes(path.display().to_string(), bytes);
+                if let Some(journal) = &mut self.journal {
+                    journal.raw(&format!("file command read file_name = \"{}\"", path.display()));
+                }
+                self.run_source(file);
+            }
+            Err(error) => {
+                self.report.failed += 1;
+                self.report.diagnostics.push(cannot_read(path, &error));
+            }
+        }
+        self.take_report()
+    }
+
+    /// Runs commands from a text that is not a file; `name` appears in diagnostics.
+    pub fn run_text(&mut self, name: &str, text: &str) -> Report {
+        self.report = Report::default();
+        let file = self.sources.add(name, text);
+        if let Some(journal) = &mut self.journal {
+            journal.raw(text);
+        }
+        self.run_source(file);
+        self.take_report()
+    }
+
+    /// Runs what was typed at a prompt, or given on a command line.
+    pub fn execute(&mut self, text: &str) -> Report {
+        self.run_text("<command>", text)
+    }
+
+    fn take_report(&mut self) -> Report {
+        if self.undo_blocks == 0 {
+            self.database.finish_step();
+        }
+        std::mem::take(&mut self.report)
+    }
+
+    /// Whether a text ends within a block or a continued command, so that more must be typed.
+    pub fn is_incomplete(&mut self, text: &str) -> bool {
+        let code = text.trim_end().rsplit('\n').next().unwrap_or("");
+        let code = code.split('!').next().unwrap_or("").trim_end();
+        if code.ends_with('&') {
+            return true;
+        }
+        let mut sources = Sources::default();
+        let file = sources.add("<command>", text);
+        let program = Program::parse(&sources, file);
+        let words = self.tree.next_words(&[]);
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        !Blocks::of(&program, &words).unclosed.is_empty()
+    }
+
+    pub(crate) fn run_source(&mut self, file: FileId) -> Flow {
+        let program = Program::parse(&self.sources, file);
+        self.run_program(&program)
+    }
+
+    /// Runs a program from beginning to end; errors have been reported when this returns.
+    pub(crate) fn run_program(&mut self, program: &Program) -> Flow {
+        if self.trace.len() >= DEEPEST {
+            self.report.failed += 1;
+            let error = Diagnostic::error("command/too-deep", "files or macros call each other without end")
+                .note(format!("stopped {DEEPEST} calls deep"));
+            self.complain(vec![error]);
+            return Flow::Abort;
+        }
+        let words = self.tree.next_words(&[]);
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let blocks = Blocks::of(program, &words);
+        let journal_state = self.journal.as_mut().map(Journal::begin_program);
+        let flow = self.run_range(program, &blocks, 0, program.statements.len());
+        self.echo_rest(program, flow);
+        if let (Some(journal), Some(state)) = (&mut self.journal, journal_state) {
+            journal.end_program(state);
+        }
+        if flow != Flow::Abort {
+            for opener in &blocks.unclosed {
+                self.warn_unclosed(program, *opener);
+            }
+        }
+        match flow {
+            Flow::Abort => {
+                self.report.aborted = true;
+                Flow::Abort
+            }
+            _ => Flow::Next,
+        }
+    }
+
+    fn warn_unclosed(&mut self, program: &Program, opener: usize) {
+        let name = self.sources.name(program.file).to_string();
+        let span = program.statements[opener].statement.span;
+        let warning = Diagnostic::warning("command/unclosed-block", "this block has no `end`")
+            .at(span, "opened here")
+            .help("close it with a line that holds the word `end` alone")
+            .adams(name)
+            .adams("The preceding file or macro has an IF, WHILE, or FOR without a matching END.");
+        self.complain(vec![warning]);
+    }
+
+    /// Runs the statements `from..to`.
+    pub(crate) fn run_range(&mut self, program: &Program, blocks: &Blocks, from: usize, to: usize) -> Flow {
+        let mut at = from;
+        while at < to {
+            if self.interrupt.load(Ordering::Relaxed) {
+                self.report.interrupted = true;
+                let span = program.statements[at].statement.span;
+                self.complain(vec![
+                    Diagnostic::error("command/interrupted", "interrupted before this command").at(span, "not executed"),
+                ]);
+                return Flow::Abort;
+            }
+            let (flow, next) = match blocks.control[at] {
+                Control::If => (self.run_if(program, blocks, at), blocks.end[at] + 1),
+                Control::While => (self.run_while(program, blocks, at), blocks.end[at] + 1),
+                Control::For => (self.run_for(program, blocks, at), blocks.end[at] + 1),
+                _ => (self.run_statement(program, at, blocks.control[at]), at + 1),
+            };
+            if flow != Flow::Next {
+                return flow;
+            }
+            at = next;
+        }
+        Flow::Next
+    }
+
+    /// Files diagnostics, each with the calls that led to it, and writes them to the journal.
+    pub(crate) fn complain(&mut self, diagnostics: Vec<Diagnostic>) {
+        for mut diagnostic in diagnostics {
+            for call in self.trace.iter().rev().take(5) {
+                diagnostic = diagnostic.label(*call, "called from here");
+            }
+            self.report.diagnostics.push(diagnostic);
+        }
+    }
+}
+
+/// The complaint about a file that cannot be read.
+pub(crate) fn cannot_read(path: &Path, error: &std::io::Error) -> Diagnostic {
+    Diagnostic::error("file/cannot-read", format!("cannot read `{}`: {error}", path.display())).adams(format!(
+        "Adams/View could not open the command file '{}' for reading.",
+        path.display()
+    ))
+}

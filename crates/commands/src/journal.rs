@@ -1,0 +1,201 @@
+//! The session log in the layout of `aview.log`.
+//!
+//! What was typed stands in it as typed, so that the log itself is a command file that builds the
+//! same model; everything else begins with `! `: echoes of each line, with the depth of blocks
+//! (negative while lines are skipped), messages, and the box round a command that was refused.
+
+use text::{Diagnostic, Severity};
+
+use crate::{Interpreter, program::Program};
+
+const RULE: &str = "! ERROR:  ---------------------------------------------------------------------";
+
+/// The lines of a session.
+#[derive(Clone, Debug, Default)]
+pub struct Journal {
+    lines: Vec<String>,
+    /// First physical line of the running program that is not echoed yet, from 0.
+    next_line: usize,
+    /// Messages of the report that are already written.
+    reported: usize,
+}
+
+impl Journal {
+    /// Everything written so far.
+    pub fn text(&self) -> String {
+        let mut text = self.lines.join("\n");
+        text.push('\n');
+        text
+    }
+
+    /// Lines since a number of lines: for writing to a file as the session goes on.
+    pub fn lines_from(&self, first: usize) -> &[String] {
+        self.lines.get(first..).unwrap_or(&[])
+    }
+
+    pub fn raw(&mut self, text: &str) {
+        self.lines.extend(text.lines().map(str::to_string));
+    }
+
+    fn message(&mut self, line: &str) {
+        self.lines.push(format!("! {line}"));
+    }
+
+    pub(crate) fn begin_program(&mut self) -> usize {
+        std::mem::replace(&mut self.next_line, 0)
+    }
+
+    pub(crate) fn end_program(&mut self, state: usize) {
+        self.next_line = state;
+    }
+
+    /// Echoes lines up to `to`, of which those from `first_of_statement` on are one statement.
+    fn echo(&mut self, program: &Program, first_of_statement: usize, to: usize, depth: i64) {
+        while self.next_line < to {
+            let line = program.line(self.next_line);
+            let prefix = prefix(depth, self.next_line > first_of_statement && self.next_line < to);
+            self.lines.push(format!("! {prefix} {line}"));
+            self.next_line += 1;
+        }
+    }
+}
+
+fn prefix(depth: i64, continued: bool) -> String {
+    let mark = if continued { "&>" } else { ">>" };
+    match depth {
+        0 => mark.to_string(),
+        d if d > 0 => format!("+{d}{mark}"),
+        d => format!("{d}{mark}"),
+    }
+}
+
+impl Interpreter {
+    /// Echoes a statement that is about to run something that echoes itself.
+    pub(crate) fn echo_now(&mut self, program: &Program, span: text::Span) {
+        let depth = self.block_depth as i64;
+        if let Some(journal) = &mut self.journal {
+            let first = program.line_number(span.start);
+            journal.echo(program, first, program.line_number(span.end) + 1, depth);
+        }
+    }
+
+    /// Echoes a statement that has run, or the box of one that was refused, and new messages.
+    pub(crate) fn echo_pending(&mut self, program: &Program, index: usize, errors: Option<&Vec<Diagnostic>>) {
+        let depth = self.block_depth as i64;
+        let span = program.statements[index].statement.span;
+        let Some(journal) = &mut self.journal else { return };
+        let (first, last) = (program.line_number(span.start), program.line_number(span.end) + 1);
+        let refused = errors.and_then(|e| e.iter().find(|d| d.is_error()));
+        let place = refused.and_then(|d| d.primary.as_ref()).filter(|l| l.span.file == program.file);
+        match (refused, place) {
+            (Some(error), Some(place)) if journal.next_line < last => {
+                let faulty = program.line_number(place.span.end).clamp(first, last - 1);
+                journal.echo(program, first, faulty, depth);
+                let column = column_of(program, place.span.end) + extra_column(error);
+                journal.boxed(program, error, (first, faulty, last), column, self.sources.name(program.file), depth);
+            }
+            (Some(error), _) => {
+                journal.echo(program, first, last, depth);
+                journal.messages(error);
+            }
+            (None, _) => journal.echo(program, first, last, depth),
+        }
+        journal.warnings(&self.report.diagnostics);
+    }
+
+    /// Echoes statements that are read but not executed.
+    pub(crate) fn echo_skipped(&mut self, program: &Program, from: usize, to: usize) {
+        let depth = -(self.block_depth.max(1) as i64);
+        let Some(journal) = &mut self.journal else { return };
+        for parsed in program.statements.get(from..to).unwrap_or(&[]) {
+            let span = parsed.statement.span;
+            journal.echo(program, program.line_number(span.start), program.line_number(span.end) + 1, depth);
+        }
+    }
+
+    /// Echoes comments and blank lines behind the last statement.
+    pub(crate) fn echo_rest(&mut self, program: &Program, flow: crate::interpreter::Flow) {
+        if flow == crate::interpreter::Flow::Abort {
+            return;
+        }
+        let depth = self.block_depth as i64;
+        if let Some(journal) = &mut self.journal {
+            let last = program.line_count();
+            journal.echo(program, last, last, depth);
+            journal.warnings(&self.report.diagnostics);
+        }
+    }
+}
+
+impl Journal {
+    fn boxed(
+        &mut self,
+        program: &Program,
+        error: &Diagnostic,
+        (first, faulty, last): (usize, usize, usize),
+        column: usize,
+        name: &str,
+        depth: i64,
+    ) {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        self.lines.push(RULE.into());
+        self.lines.push(format!("! ERROR:  Error detected on line number {}, character {column} of {name}.", faulty + 1));
+        for line in texts(error) {
+            self.lines.push(format!("! ERROR:  {line}"));
+        }
+        self.lines.push("! ERROR:  The command was not executed.".into());
+        for line in faulty..last {
+            let prefix = prefix(depth, line > first);
+            self.lines.push(format!("! ERROR:  {prefix} {}", program.line(line)));
+        }
+        self.lines.push(RULE.into());
+        self.next_line = last;
+    }
+
+    /// Message lines of a trouble found while a command ran: the first is marked.
+    fn messages(&mut self, diagnostic: &Diagnostic) {
+        let word = match diagnostic.severity {
+            Severity::Error => "ERROR:  ",
+            Severity::Warning => "WARNING:  ",
+            Severity::Note => "",
+        };
+        for (i, line) in texts(diagnostic).iter().enumerate() {
+            self.message(&format!("{}{line}", if i == 0 { word } else { "" }));
+        }
+    }
+
+    /// Warnings of the report that are not in the journal yet.
+    fn warnings(&mut self, diagnostics: &[Diagnostic]) {
+        if self.reported > diagnostics.len() {
+            self.reported = 0;
+        }
+        for diagnostic in &diagnostics[self.reported..] {
+            if !diagnostic.is_error() {
+                self.messages(diagnostic);
+            }
+        }
+        self.reported = diagnostics.len();
+    }
+
+    /// Lines of a report shown in the information window.
+    pub(crate) fn information(&mut self, lines: &[String]) {
+        for line in lines {
+            self.message(line);
+        }
+    }
+}
+
+/// What Adams prints, or our own words where that is unknown.
+fn texts(diagnostic: &Diagnostic) -> Vec<String> {
+    if diagnostic.adams_text.is_empty() { vec![diagnostic.message.clone()] } else { diagnostic.adams_text.clone() }
+}
+
+fn column_of(program: &Program, offset: u32) -> usize {
+    let before = program.text.get(..offset as usize).unwrap_or("");
+    before.rsplit('\n').next().unwrap_or("").chars().count()
+}
+
+/// Adams counts one column more behind a word and two behind the name of an object.
+fn extra_column(error: &Diagnostic) -> usize {
+    if error.code.starts_with("name/") { 2 } else { 1 }
+}

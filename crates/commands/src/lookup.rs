@@ -1,0 +1,337 @@
+//! Names typed in commands: which object is meant, and where a new one goes.
+
+use model::{Database, ObjectId, quoted, split_name};
+use schema::{Class, Registry};
+use text::{Diagnostic, Span};
+
+use crate::words::{glob, is_pattern, nearest};
+
+/// A place for a new object.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NewName {
+    pub parent: Option<ObjectId>,
+    pub name: String,
+}
+
+/// The word Adams uses for what a parameter asks for.
+pub fn word_of(registry: &Registry, wanted: &str) -> String {
+    if let Some(class) = registry.class(wanted) {
+        return class.word.to_string();
+    }
+    let mut chars = wanted.chars();
+    match chars.next() {
+        Some(first) => first.to_uppercase().chain(chars).collect(),
+        None => String::new(),
+    }
+}
+
+/// Finds the existing object a name means.
+pub fn find(
+    database: &Database,
+    registry: &Registry,
+    name: &str,
+    wanted: &str,
+    span: Span,
+) -> Result<ObjectId, Diagnostic> {
+    let found = search(database, name, wanted);
+    match found.as_slice() {
+        [one] => Ok(*one),
+        [] => Err(not_found(database, registry, name, wanted, span)),
+        many => {
+            let names: Vec<String> = many.iter().take(8).map(|id| database.full_name(*id)).collect();
+            Err(Diagnostic::error("name/ambiguous", format!("`{name}` may mean {}", names.join(", ")))
+                .at(span, "more than one object has this name")
+                .help(format!("write the full name, for example `{}`", names[0])))
+        }
+    }
+}
+
+/// Finds an object without complaining: one candidate or none.
+pub fn search_one(database: &Database, name: &str, wanted: &str) -> Option<ObjectId> {
+    match search(database, name, wanted).as_slice() {
+        [one] => Some(*one),
+        _ => None,
+    }
+}
+
+fn search(database: &Database, name: &str, wanted: &str) -> Vec<ObjectId> {
+    if name.starts_with('.') {
+        return database.find(name, wanted).into_iter().collect();
+    }
+    let steps = split_name(name);
+    if steps.iter().any(String::is_empty) {
+        return Vec::new();
+    }
+    let model = database.current("model");
+    // The current part, then the model itself, then anything below it, then other top-level objects.
+    let near = [database.current("part"), database.current("body"), model];
+    for parent in near.into_iter().flatten() {
+        if let Some(id) = database.descend(Some(parent), &steps, wanted) {
+            return vec![id];
+        }
+    }
+    if let Some(id) = database.descend(None, &steps, wanted) {
+        return vec![id];
+    }
+    let Some(model) = model else { return Vec::new() };
+    let mut found = Vec::new();
+    for id in database.subtree(model) {
+        if id != model
+            && !database.object(id).children.is_empty()
+            && let Some(child) = database.descend(Some(id), &steps, wanted)
+            && !found.contains(&child)
+        {
+            found.push(child);
+        }
+    }
+    found
+}
+
+/// Every object that a name or a pattern means, in order of creation.
+pub fn find_all(
+    database: &Database,
+    registry: &Registry,
+    name: &str,
+    wanted: &str,
+    span: Span,
+) -> Result<Vec<ObjectId>, Diagnostic> {
+    if !is_pattern(name) {
+        return find(database, registry, name, wanted, span).map(|id| vec![id]);
+    }
+    let everywhere = name.trim_start_matches('.').chars().all(|c| c == '*');
+    let steps = split_name(name.strip_prefix('.').unwrap_or(name));
+    let mut found: Vec<ObjectId> = Vec::new();
+    if name.starts_with('.') && !everywhere {
+        let mut level: Vec<ObjectId> = matching(database, database.roots(), &steps[0]);
+        for step in &steps[1..] {
+            level = level.iter().flat_map(|id| matching(database, &database.object(*id).children, step)).collect();
+        }
+        found.extend(level.into_iter().filter(|id| database.object(*id).class.is(wanted)));
+    } else {
+        let last = steps.last().map_or("*", String::as_str);
+        let below: Vec<ObjectId> = if name.starts_with('.') {
+            database.ids().collect()
+        } else {
+            database.current("model").map(|m| database.subtree(m)).unwrap_or_default()
+        };
+        found.extend(below.into_iter().filter(|id| {
+            let object = database.object(*id);
+            object.class.is(wanted) && glob(last, &object.name)
+        }));
+        found.sort();
+    }
+    if found.is_empty() {
+        let word = word_of(registry, wanted);
+        return Err(Diagnostic::error("name/not-found", format!("no {} matches `{name}`", word.to_lowercase()))
+            .at(span, "matches nothing")
+            .adams(format!("No {word} entities matching \"{name}\" were found.")));
+    }
+    Ok(found)
+}
+
+fn matching(database: &Database, ids: &[ObjectId], pattern: &str) -> Vec<ObjectId> {
+    ids.iter()
+        .copied()
+        .filter(|id| {
+            let object = database.object(*id);
+            glob(pattern, &object.name)
+        })
+        .collect()
+}
+
+fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str, span: Span) -> Diagnostic {
+    let word = word_of(registry, wanted);
+    let lower = word.to_lowercase();
+    let Some(rest) = name.strip_prefix('.') else {
+        let mut error = Diagnostic::error("name/not-found", format!("there is no {lower} named `{name}`"))
+            .at(span, "not found")
+            .adams(format!("No {word} named '{name}' was found."));
+        if let Some(id) = search_one(database, name, "any") {
+            error = error.note(format!("`{}` is a {}", database.full_name(id), database.object(id).class.word));
+        } else if let Some(guess) = guess(database, name, wanted) {
+            error = error.fix(format!("did you mean `{guess}`?"), span, guess);
+        }
+        return error;
+    };
+    let steps = split_name(rest);
+    let mut parent: Option<ObjectId> = None;
+    for (depth, step) in steps.iter().enumerate() {
+        let last = depth + 1 == steps.len();
+        let next = if last {
+            database.child(parent, step, wanted)
+        } else {
+            database.children_named(parent, step).first().copied()
+        };
+        if let Some(next) = next {
+            parent = Some(next);
+            continue;
+        }
+        let siblings = parent.map_or_else(|| database.roots().to_vec(), |p| database.object(p).children.clone());
+        let names: Vec<&str> = siblings
+            .iter()
+            .map(|id| database.object(*id))
+            .filter(|o| !last || o.class.is(wanted))
+            .map(|o| o.name.as_str())
+            .collect();
+        let mut error = Diagnostic::error("name/not-found", match parent {
+            Some(p) => format!("there is no {lower} `{name}`: `{}` has no `{step}`", database.full_name(p)),
+            None => format!("there is no {lower} `{name}`: nothing is named `.{step}`"),
+        })
+        .at(span, "not found")
+        .adams(match parent {
+            Some(p) => format!(
+                "No {word} was found because '{step}' does not exist beneath '{}'.",
+                database.full_name(p)
+            ),
+            None => format!("No {word} named '{step}' was found."),
+        });
+        if let Some(other) = database.child(parent, step, "any") {
+            error = error.note(format!("`{}` is a {}", database.full_name(other), database.object(other).class.word));
+        } else if let Some(near) = nearest(names, step) {
+            let mut full: Vec<String> = steps.iter().map(|s| quoted(s)).collect();
+            full[depth] = quoted(near);
+            let full = format!(".{}", full.join("."));
+            error = error.fix(format!("did you mean `{full}`?"), span, full);
+        }
+        return error;
+    }
+    Diagnostic::error("name/not-found", format!("there is no {lower} `{name}`")).at(span, "not found")
+}
+
+fn guess(database: &Database, name: &str, wanted: &str) -> Option<String> {
+    let model = database.current("model")?;
+    let below = database.below(model, wanted);
+    let names = below.iter().map(|id| database.object(*id).name.as_str());
+    nearest(names, name).map(quoted)
+}
+
+/// Where a new object of a class goes when nothing or only its own name is given.
+pub fn default_parent(database: &Database, class: &Class) -> Option<ObjectId> {
+    class.parents.iter().find_map(|wanted| {
+        let current = database.current(wanted)?;
+        class.parents.iter().any(|p| database.object(current).class.is(p)).then_some(current)
+    })
+}
+
+/// Reads the name of an object to be created: bare, or in full.
+pub fn new_name(
+    database: &Database,
+    registry: &Registry,
+    class: &'static Class,
+    typed: &str,
+    span: Span,
+) -> Result<NewName, Diagnostic> {
+    let steps = split_name(typed.strip_prefix('.').unwrap_or(typed));
+    let Some((name, path)) = steps.split_last() else { return Err(bad_name(typed, span)) };
+    if name.is_empty() || steps.iter().any(String::is_empty) || name.contains(char::is_control) {
+        return Err(bad_name(typed, span));
+    }
+    let last_quoted = typed.ends_with('"');
+    if !last_quoted && name.starts_with(|c: char| c.is_ascii_digit()) {
+        return Err(bad_name(typed, span));
+    }
+    if !typed.starts_with('.') {
+        if !path.is_empty() {
+            let mut error = Diagnostic::error(
+                "name/partial-path",
+                format!("the new name `{typed}` has a path but does not start at the root"),
+            )
+            .at(span, "starts without a dot")
+            .adams("Invalid input. Enter return or a parameter.");
+            if let Some(model) = database.current("model") {
+                let full = format!("{}.{typed}", database.full_name(model));
+                error = error.fix(format!("write `{full}`"), span, full);
+            }
+            return Err(error);
+        }
+        let parent = default_parent(database, class);
+        if parent.is_none() && !class.parents.is_empty() {
+            return Err(no_parent(class, typed, span));
+        }
+        return Ok(NewName { parent, name: name.clone() });
+    }
+    let mut parent = None;
+    for (depth, step) in path.iter().enumerate() {
+        let last = depth + 1 == path.len();
+        let candidates = database.children_named(parent, step);
+        let next = candidates
+            .iter()
+            .copied()
+            .find(|c| !last || class.parents.iter().any(|p| database.object(*c).class.is(p)) || holds_anything(database, *c))
+            .or_else(|| if last { None } else { candidates.first().copied() });
+        let Some(next) = next else {
+            let word = class.word;
+            if let Some(wrong) = candidates.first() {
+                return Err(Diagnostic::error(
+                    "name/no-parent",
+                    format!(
+                        "a {} cannot be below `{}`, which is a {}",
+                        word.to_lowercase(),
+                        database.full_name(*wrong),
+                        database.object(*wrong).class.word
+                    ),
+                )
+                .at(span, format!("goes below: {}", class.parents.join(", ")))
+                .adams("Invalid input. Enter return or a parameter."));
+            }
+            let mut error = match parent {
+                Some(p) => Diagnostic::error(
+                    "name/no-parent",
+                    format!("`{typed}` has no place: `{}` has no `{step}`", database.full_name(p)),
+                )
+                .adams(format!(
+                    "No {word} was found because '{step}' does not exist beneath '{}'.",
+                    database.full_name(p)
+                )),
+                None => Diagnostic::error(
+                    "name/no-parent",
+                    format!("`{typed}` has no place: nothing is named `.{step}`"),
+                )
+                .adams(format!("No {word} named '{step}' was found.")),
+            }
+            .at(span, "create what it belongs to first");
+            let siblings = parent.map_or_else(|| database.roots().to_vec(), |p| database.object(p).children.clone());
+            if let Some(near) = nearest(siblings.iter().map(|s| database.object(*s).name.as_str()), step) {
+                error = error.help(format!("did you mean `{near}`?"));
+            }
+            return Err(error);
+        };
+        parent = Some(next);
+    }
+    if parent.is_none() && !class.parents.is_empty() {
+        // `.name` of an object that needs a parent.
+        let _ = registry;
+        return Err(no_parent(class, typed, span));
+    }
+    Ok(NewName { parent, name: name.clone() })
+}
+
+fn no_parent(class: &Class, typed: &str, span: Span) -> Diagnostic {
+    let parents = class.parents.join(" or ");
+    Diagnostic::error("name/no-parent", format!("the {} `{typed}` has no place: there is no {parents}", class.word.to_lowercase()))
+        .at(span, format!("must be below a {parents}"))
+        .help(format!("create a {} first, or write the full name", class.parents.first().unwrap_or(&"model")))
+        .adams("Invalid input. Enter return or a parameter.")
+}
+
+fn bad_name(typed: &str, span: Span) -> Diagnostic {
+    Diagnostic::error("name/invalid", format!("`{typed}` cannot be a name"))
+        .at(span, "letters, digits and `_`, not starting with a digit")
+        .help("put other names in double quotes")
+        .adams("Invalid input. Enter return or a parameter.")
+}
+
+/// The complaint about a name that is in use.
+pub fn taken(database: &Database, class: &Class, typed: &str, other: ObjectId, span: Span) -> Diagnostic {
+    Diagnostic::error(
+        "name/taken",
+        format!("the {} `{}` exists already", class.word.to_lowercase(), database.full_name(other)),
+    )
+    .at(span, "name in use")
+    .adams(format!("The {} '{typed}' already exists.", class.word))
+}
+
+/// Libraries and macros own variables and macros of their own.
+fn holds_anything(database: &Database, id: ObjectId) -> bool {
+    matches!(database.object(id).class.id, "library" | "macro" | "variable")
+}

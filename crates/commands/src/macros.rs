@@ -1,0 +1,450 @@
+//! Macros: commands of the user's own, made of text with `$parameters`.
+
+use std::collections::HashMap;
+
+use model::{ObjectId, Value, quoted};
+use schema::{Class, Count, Field, Group, Kind};
+use syntax::command::{Argument, ItemKind};
+use text::Diagnostic;
+
+use crate::{
+    Interpreter,
+    call::Call,
+    interpreter::{Flow, cannot_read},
+    lookup,
+    tree::{Action, Parameter, Role},
+    words::{Match, glob, match_word},
+};
+
+/// What is kept of a macro.
+pub const CLASS: Class = Class {
+    id: "macro",
+    word: "Macro",
+    families: &[],
+    parents: &["library", "model", "macro"],
+    prefix: "MACRO_",
+    statement: None,
+    groups: &[Group {
+        command: "macro create",
+        creates: true,
+        object: "macro_name",
+        fields: &[
+            Field::text("user_entered_command").doc("words that call the macro"),
+            Field::texts("commands_to_be_executed").required().doc("lines of the macro"),
+            Field::yes_no("wrap_in_undo").default_word("yes").doc("a call is one step of undo"),
+            Field::text("help_file").doc("file with help on the macro"),
+            Field::text("help_string").doc("text of help on the macro"),
+            Field::yes_no("create_panel").default_word("no").doc("make a dialog box"),
+        ],
+        rules: &[],
+        doc: "a command made of other commands",
+    }],
+};
+
+/// A library only owns other objects.
+pub const LIBRARY: Class = Class {
+    id: "library",
+    word: "Library",
+    families: &[],
+    parents: &["library", "model"],
+    prefix: "LIBRARY_",
+    statement: None,
+    groups: &[Group {
+        command: "library create",
+        creates: true,
+        object: "library_name",
+        fields: &[],
+        rules: &[],
+        doc: "a place for variables and macros",
+    }],
+};
+
+/// One parameter of a macro.
+#[derive(Clone, Debug, Default)]
+struct Formal {
+    name: String,
+    /// `real`, `marker`, `list(a,b)`, ...; real if nothing is said.
+    kind: String,
+    least: usize,
+    most: usize,
+    default: Option<String>,
+    /// `ud`: the value given last becomes the default.
+    updated: bool,
+    bounds: Vec<(Bound, f64)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bound {
+    Above,
+    AtLeast,
+    Below,
+    AtMost,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Macro {
+    formals: Vec<Formal>,
+    body: String,
+    path: String,
+}
+
+/// Macros by object.
+#[derive(Debug, Default)]
+pub struct Macros {
+    known: HashMap<ObjectId, Macro>,
+}
+
+impl Interpreter {
+    /// Makes the command of a macro known; called after it was created, modified or read.
+    pub(crate) fn register_macro(&mut self, id: ObjectId) {
+        let text = match self.database.value(id, "commands_to_be_executed") {
+            Some(Value::Texts(lines)) => lines.join("\n"),
+            Some(Value::Text(line)) => line.clone(),
+            _ => String::new(),
+        };
+        let words = self.database.text(id, "user_entered_command").map(str::to_string);
+        // Without words of its own a macro is called by its full name, which is no keyword path.
+        let path = words.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ").to_ascii_lowercase();
+        if let Some(old) = self.macros.known.get(&id)
+            && old.path != path
+            && !old.path.is_empty()
+        {
+            let old_path = old.path.clone();
+            self.tree.remove(&old_path);
+        }
+        let formals = find_formals(&text);
+        if !path.is_empty() {
+            let parameters = formals
+                .iter()
+                .map(|f| Parameter {
+                    name: f.name.as_str().into(),
+                    role: Role::Field,
+                    field: Field::new("value", Kind::Any).count(Count::between(1, usize::MAX)),
+                })
+                .collect();
+            self.tree.add(&path, Action::Macro(id), parameters);
+        }
+        self.macros.known.insert(id, Macro { formals, body: text, path });
+    }
+
+    /// Runs a macro: its text with the parameters put in, line by line.
+    pub(crate) fn call_macro(&mut self, id: ObjectId, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
+        if self.database.get(id).is_none() {
+            return Err(vec![
+                Diagnostic::error("macro/gone", "this macro does not exist any more").at(call.keywords, "was undone or deleted"),
+            ]);
+        }
+        let Some(known) = self.macros.known.get(&id).cloned() else { return Ok(Flow::Next) };
+        let mut values: Vec<(String, String)> = Vec::new();
+        let mut updated = Vec::new();
+        for (index, formal) in known.formals.iter().enumerate() {
+            let given = call.given.iter().find(|g| g.parameter == index).map(|g| g.argument);
+            let text = match (given, &formal.default) {
+                (Some(argument), _) => {
+                    let text = self.actual(formal, call, argument)?;
+                    if formal.updated {
+                        updated.push((index, text.clone()));
+                    }
+                    text
+                }
+                (None, Some(default)) => default.clone(),
+                (None, None) if formal.least == 0 => String::new(),
+                (None, None) => return Err(vec![call.missing(&[&formal.name])]),
+            };
+            values.push((formal.name.clone(), text));
+        }
+        values.push(("_self".into(), self.database.full_name(id)));
+        if let Some(stored) = self.macros.known.get_mut(&id) {
+            for (index, text) in updated {
+                stored.formals[index].default = Some(text);
+            }
+        }
+        let text = substitute(&known.body, &values);
+        let file = self.sources.add(format!("macro {}", self.database.full_name(id)), text);
+        let wrap = self.database.flag(id, "wrap_in_undo") != Some(false);
+        self.trace.push(call.span);
+        self.undo_blocks += usize::from(wrap);
+        let flow = self.run_source(file);
+        self.undo_blocks -= usize::from(wrap);
+        self.trace.pop();
+        Ok(flow)
+    }
+
+    /// The text that stands for a parameter.
+    fn actual(&mut self, formal: &Formal, call: &Call, argument: &Argument) -> Result<String, Vec<Diagnostic>> {
+        let count = argument.values.len();
+        if count < formal.least.max(1) || count > formal.most {
+            let wanted = match (formal.least, formal.most) {
+                (a, b) if a == b => a.to_string(),
+                (a, usize::MAX) => format!("at least {a}"),
+                (a, b) => format!("{a} to {b}"),
+            };
+            return Err(vec![
+                Diagnostic::error("command/wrong-count", format!("`{}` wants {wanted} values, not {count}", formal.name))
+                    .at(argument.value_span, format!("{count} given"))
+                    .adams(format!("{wanted} values are required for '{}'.", formal.name)),
+            ]);
+        }
+        let mut texts = Vec::new();
+        for item in &argument.values {
+            let typed = call.program.word(item.span).to_string();
+            texts.push(match &item.kind {
+                ItemKind::Number { value, .. } => {
+                    self.check_bounds(formal, *value, item.span)?;
+                    typed
+                }
+                ItemKind::Word => self.actual_word(formal, &typed, item.span)?,
+                // Quotes of a text that is used inside quotes would end them.
+                ItemKind::Text(text) if formal.kind == "string" || formal.kind.starts_with("file") => text.clone(),
+                ItemKind::Text(_) | ItemKind::Expression(_) => typed,
+            });
+        }
+        Ok(texts.join(", "))
+    }
+
+    fn actual_word(&mut self, formal: &Formal, typed: &str, span: text::Span) -> Result<String, Vec<Diagnostic>> {
+        let kind = formal.kind.as_str();
+        if let Some(list) = kind.strip_prefix("list(").and_then(|l| l.strip_suffix(')')) {
+            let words: Vec<&str> = list.split(',').map(str::trim).collect();
+            return match match_word(words.iter().copied(), typed) {
+                Match::One(i) => Ok(words[i].to_string()),
+                _ => Err(vec![
+                    Diagnostic::error("command/unknown-word", format!("`{typed}` is not a choice for `{}`", formal.name))
+                        .at(span, format!("wants {}", words.join(", ")))
+                        .adams(format!("'{typed}' is not a valid choice for '{}'.", formal.name)),
+                ]),
+            };
+        }
+        let (class, pattern) = match kind.split_once('(') {
+            Some((class, pattern)) => (class, pattern.strip_suffix(')')),
+            None => (kind, None),
+        };
+        if let Some(new) = class.strip_prefix("new_")
+            && let Some(class) = self.registry.class(new)
+        {
+            let place = lookup::new_name(&self.database, &self.registry, class, typed, span).map_err(|e| vec![e])?;
+            let parent = place.parent.map(|p| self.database.full_name(p)).unwrap_or_default();
+            return Ok(format!("{parent}.{}", quoted(&place.name)));
+        }
+        let known = self.registry.classes.iter().any(|c| c.is(class));
+        if !known {
+            return Ok(typed.to_string());
+        }
+        let id = lookup::find(&self.database, &self.registry, typed, class, span).map_err(|e| vec![e])?;
+        if let Some(pattern) = pattern
+            && !glob(pattern, &self.database.object(id).name)
+        {
+            return Err(vec![
+                Diagnostic::error("name/not-found", format!("`{typed}` does not match `{pattern}`"))
+                    .at(span, "not allowed here")
+                    .adams(format!("No {} named '{typed}' was found.", lookup::word_of(&self.registry, class))),
+            ]);
+        }
+        Ok(self.database.full_name(id))
+    }
+
+    fn check_bounds(&self, formal: &Formal, value: f64, span: text::Span) -> Result<(), Vec<Diagnostic>> {
+        for (bound, limit) in &formal.bounds {
+            let (holds, sign) = match bound {
+                Bound::Above => (value > *limit, ">"),
+                Bound::AtLeast => (value >= *limit, ">="),
+                Bound::Below => (value < *limit, "<"),
+                Bound::AtMost => (value <= *limit, "<="),
+            };
+            if !holds {
+                return Err(vec![
+                    Diagnostic::error("value/out-of-range", format!("`{}` must be {sign} {limit}", formal.name))
+                        .at(span, format!("this is {value}"))
+                        .adams(format!("The value of '{}' must be {sign} {limit}.", formal.name)),
+                ]);
+            }
+        }
+        Ok(())
+    }
+
+    /// `macro read`: makes or replaces a macro from a file.
+    pub(crate) fn read_macro(&mut self, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
+        let (Some(name), Some(file)) = (call.argument("macro_name"), call.argument("file_name")) else {
+            return Err(vec![call.missing(&[if call.argument("macro_name").is_none() { "macro_name" } else { "file_name" }])]);
+        };
+        let file_name = self.text_argument_plain(call, file)?;
+        let path = self.host.resolve(&file_name);
+        let text = std::fs::read(&path).map_err(|e| {
+            let mut error = cannot_read(&path, &e).at(file.value_span, "this file");
+            error.adams_text = vec![format!("Unable to open file named '{file_name}'.")];
+            vec![error]
+        })?;
+        let text = String::from_utf8(text).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect());
+        let typed = self.text_argument(call, name)?;
+        let id = match lookup::search_one(&self.database, &typed, "macro") {
+            Some(id) => id,
+            None => {
+                let place = lookup::new_name(&self.database, &self.registry, &CLASS, &typed, name.value_span)
+                    .or_else(|e| if typed.contains('.') { Err(e) } else { Ok(lookup::NewName { parent: None, name: typed.clone() }) })
+                    .map_err(|e| vec![e])?;
+                self.database
+                    .create(&CLASS, place.parent, &place.name)
+                    .map_err(|t| vec![lookup::taken(&self.database, &CLASS, &typed, t.0, name.value_span)])?
+            }
+        };
+        for line in text.lines() {
+            let Some(header) = line.trim().strip_prefix('!') else { continue };
+            let (key, value) = header.trim().split_once(char::is_whitespace).unwrap_or((header.trim(), ""));
+            match key.to_ascii_uppercase().as_str() {
+                "USER_ENTERED_COMMAND" => {
+                    self.database.set_value(id, "user_entered_command", Value::Text(value.trim().into()));
+                }
+                "WRAP_IN_UNDO" => {
+                    self.database.set_value(id, "wrap_in_undo", Value::Flag(value.trim().eq_ignore_ascii_case("yes")));
+                }
+                "HELP_STRING" => self.database.set_value(id, "help_string", Value::Text(value.trim().into())),
+                "END_OF_PARAMETERS" => break,
+                _ => {}
+            }
+        }
+        if let Some(argument) = call.argument("user_entered_command") {
+            let words = self.text_argument_plain(call, argument)?;
+            self.database.set_value(id, "user_entered_command", Value::Text(words));
+        }
+        let lines = text.lines().map(str::to_string).collect();
+        self.database.set_value(id, "commands_to_be_executed", Value::Texts(lines));
+        self.register_macro(id);
+        Ok(Flow::Next)
+    }
+}
+
+/// Finds the parameters of a macro in the order of their first use.
+fn find_formals(text: &str) -> Vec<Formal> {
+    let mut found: Vec<Formal> = Vec::new();
+    let mut rest = text;
+    while let Some(at) = rest.find('$') {
+        let escaped = rest[..at].ends_with('\\');
+        rest = &rest[at + 1..];
+        if escaped {
+            continue;
+        }
+        let (name, qualifiers, _) = placeholder(rest);
+        if !name.is_empty() && name != "_self" && !found.iter().any(|f| f.name.eq_ignore_ascii_case(name)) {
+            found.push(formal(name, qualifiers));
+        }
+    }
+    found
+}
+
+/// Reads `name:t=real:c=1` or `'name:...'` behind a dollar sign: name, qualifiers, length.
+fn placeholder(text: &str) -> (&str, &str, usize) {
+    if let Some(inner) = text.strip_prefix('\'')
+        && let Some(close) = inner.find('\'')
+    {
+        let (name, qualifiers) = inner[..close].split_once(':').unwrap_or((&inner[..close], ""));
+        return (name, qualifiers, close + 2);
+    }
+    let end = text.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(text.len());
+    let name = &text[..end];
+    if !text[end..].starts_with(':') || name.is_empty() {
+        return (name, "", end);
+    }
+    let mut depth = 0usize;
+    let mut quoted = false;
+    let stop = text[end..]
+        .find(|c: char| {
+            match c {
+                '"' => quoted = !quoted,
+                '(' => depth += 1,
+                ')' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            !quoted && depth == 0 && (c.is_whitespace())
+        })
+        .map_or(text.len(), |s| s + end);
+    (name, &text[end + 1..stop], stop)
+}
+
+fn formal(name: &str, qualifiers: &str) -> Formal {
+    let mut formal = Formal { name: name.into(), kind: "real".into(), least: 1, most: 1, ..Formal::default() };
+    for qualifier in qualifiers.split(':') {
+        let Some((key, value)) = qualifier.split_once('=') else { continue };
+        let value = value.trim();
+        let mut bound = |bound: Bound| {
+            if let Ok(limit) = value.parse() {
+                formal.bounds.push((bound, limit));
+            }
+        };
+        match key.trim().to_ascii_lowercase().as_str() {
+            "t" => formal.kind = value.to_ascii_lowercase(),
+            "c" => {
+                let mut parts = value.split(',').map(|p| p.trim().parse::<usize>().unwrap_or(1));
+                let least = parts.next().unwrap_or(1);
+                let most = parts.next();
+                (formal.least, formal.most) = match (least, most) {
+                    (0, None) | (0, Some(0)) => (0, usize::MAX),
+                    (n, Some(0)) => (n, usize::MAX),
+                    (n, Some(m)) => (n, m),
+                    (n, None) => (n, n),
+                };
+            }
+            "d" => formal.default = Some(value.trim_matches('"').to_string()),
+            "ud" => {
+                formal.default = Some(value.trim_matches('"').to_string());
+                formal.updated = true;
+            }
+            "gt" => bound(Bound::Above),
+            "ge" => bound(Bound::AtLeast),
+            "lt" => bound(Bound::Below),
+            "le" => bound(Bound::AtMost),
+            _ => {}
+        }
+    }
+    formal
+}
+
+/// The body with its placeholders replaced; header and declarations are left out.
+fn substitute(body: &str, values: &[(String, String)]) -> String {
+    let mut text = String::with_capacity(body.len());
+    for line in body.lines() {
+        if line.trim_start().starts_with('!') {
+            // Kept as an empty line, so that line numbers stay.
+            text.push('\n');
+            continue;
+        }
+        let mut rest = line;
+        while let Some(at) = rest.find('$') {
+            if rest[..at].ends_with('\\') {
+                text.push_str(&rest[..at - 1]);
+                text.push('$');
+                rest = &rest[at + 1..];
+                continue;
+            }
+            text.push_str(&rest[..at]);
+            let (name, _, length) = placeholder(&rest[at + 1..]);
+            match values.iter().find(|(n, _)| n.eq_ignore_ascii_case(name)) {
+                Some((_, value)) if !name.is_empty() => text.push_str(value),
+                _ => text.push_str(&rest[at..=at + length]),
+            }
+            rest = &rest[at + 1 + length..];
+        }
+        text.push_str(rest);
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_are_declared_by_their_first_use() {
+        let formals = find_formals("!$size:t=real:d=1.5:gt=0\nforce attributes size_of_icons = $size name=$'f:t=force'_x \\$no");
+        assert_eq!(formals.len(), 2);
+        assert_eq!(formals[0].default.as_deref(), Some("1.5"));
+        assert_eq!(formals[0].bounds, vec![(Bound::Above, 0.0)]);
+        assert_eq!((formals[1].name.as_str(), formals[1].kind.as_str()), ("f", "force"));
+    }
+
+    #[test]
+    fn values_stand_where_parameters_were() {
+        let values = [("a".to_string(), "5".to_string())];
+        assert_eq!(substitute("x = $a, PART_$'a'_2, \\$a", &values), "x = 5, PART_5_2, $a\n");
+    }
+}

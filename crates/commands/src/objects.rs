@@ -1,0 +1,461 @@
+//! What every class has in common: creating, modifying and renaming objects from their tables.
+
+use model::{Cell, CellKey, ObjectId, Value};
+use schema::{Class, Default, Field, Group, Kind, Use};
+use syntax::command::ItemKind;
+use text::{Diagnostic, Span};
+
+use crate::{
+    Interpreter,
+    call::Call,
+    ends, evaluation,
+    lookup::{self, NewName},
+    place,
+    tree::{ClassGroup, Role},
+    values::{Draft, Reader},
+};
+
+type Outcome<T> = Result<T, Vec<Diagnostic>>;
+
+impl Interpreter {
+    /// Creates an object from a command.
+    pub(crate) fn create_object(
+        &mut self,
+        class: &'static Class,
+        group: &'static Group,
+        call: &Call,
+    ) -> Outcome<ObjectId> {
+        let (place_of_new, typed, span) = self.name_for_new(class, call)?;
+        // Which objects the command refers to is read first: it may not refer to what it makes.
+        for field in group.fields {
+            if field.required && call.argument(field.name).is_none() && field.default == Default::None {
+                return Err(vec![call.missing(&[field.name])]);
+            }
+        }
+        let id = self
+            .database
+            .create(class, place_of_new.parent, &place_of_new.name)
+            .map_err(|t| vec![lookup::taken(&self.database, class, &typed, t.0, span)])?;
+        self.names.created(&self.database, id);
+        self.set_fields(id, call)?;
+        self.set_defaults(id, class, group, call)?;
+        ends::generate_markers(self, id, call)?;
+        self.database.make_current(id);
+        if class.id == "model" {
+            self.model_created(id);
+        }
+        Ok(id)
+    }
+
+    /// A new model has its ground part, and becomes what names and locations refer to.
+    fn model_created(&mut self, model: ObjectId) {
+        let current_part: Vec<&'static str> = vec!["part", "body", "marker", "rigid_body"];
+        self.database.change_settings(|s| {
+            for name in current_part {
+                s.current.shift_remove(name);
+            }
+            s.default_frame = None;
+        });
+        if let Some(class) = self.registry.class("ground")
+            && let Ok(ground) = self.database.create(class, Some(model), "ground")
+        {
+            self.names.created(&self.database, ground);
+            if class.cell_index("adams_id").is_some() {
+                self.database.set_value(ground, "adams_id", Value::Integer(1));
+            }
+            self.database.make_current(ground);
+        }
+    }
+
+    /// The name of the object a command creates: as given, or generated.
+    fn name_for_new(&mut self, class: &'static Class, call: &Call) -> Outcome<(NewName, String, Span)> {
+        let Some((_, argument)) = call.object_argument() else {
+            let parent = lookup::default_parent(&self.database, class);
+            if parent.is_none() && !class.parents.is_empty() {
+                let parents = class.parents.join(" or ");
+                return Err(vec![
+                    Diagnostic::error(
+                        "name/no-parent",
+                        format!("a new {} needs a {parents} to belong to", class.word.to_lowercase()),
+                    )
+                    .at(call.keywords, "nothing it could go below")
+                    .help(format!("create a {} first", class.parents[0]))
+                    .adams("Invalid input. Enter '.' or an entity name."),
+                ]);
+            }
+            let name = self.generate_name(class, parent);
+            return Ok((NewName { parent, name: name.clone() }, name, call.keywords));
+        };
+        let typed = self.text_argument(call, argument)?;
+        let span = argument.value_span;
+        let name = lookup::new_name(&self.database, &self.registry, class, &typed, span).map_err(|e| vec![e])?;
+        Ok((name, typed, span))
+    }
+
+    /// A free generated name.
+    pub(crate) fn generate_name(&mut self, class: &'static Class, parent: Option<ObjectId>) -> String {
+        let key = format!("{}_prefix", class.prefix.trim_end_matches('_').to_ascii_lowercase());
+        let prefix = match self.database.settings().words.get(&key) {
+            Some(own) => format!("{}_", own.to_ascii_uppercase()),
+            None => class.prefix.to_string(),
+        };
+        self.names.generate(&self.database, class, parent, &prefix)
+    }
+
+    /// Sets cells of existing objects.
+    pub(crate) fn modify_objects(&mut self, groups: &[ClassGroup], call: &Call) -> Outcome<()> {
+        let (ids, object_name) = self.objects_to_modify(groups, call)?;
+        for id in ids {
+            let class = self.database.object(id).class;
+            let Some((_, group)) =
+                groups.iter().find(|(c, g)| *c == class && (object_name.is_empty() || g.object == object_name))
+            else {
+                return Err(vec![
+                    Diagnostic::error(
+                        "name/wrong-kind",
+                        format!("`{}` does not apply to `{}`", call.path, self.database.full_name(id)),
+                    )
+                    .at(call.span, format!("`{}` is a {}", self.database.full_name(id), class.word))
+                    .adams("Invalid input. Enter '.' or an entity name."),
+                ]);
+            };
+            // The ground stays where it is whatever a command says.
+            let extra = call.given.iter().find(|g| {
+                let p = &call.parameters[g.parameter];
+                p.role == Role::Field && !group.fields.iter().any(|f| f.name == &*p.name)
+            });
+            if let Some(extra) = extra {
+                let name = &call.parameters[extra.parameter].name;
+                return Err(vec![
+                    Diagnostic::error(
+                        "command/unknown-argument",
+                        format!("`{name}` does not apply to `{}`", self.database.full_name(id)),
+                    )
+                    .at(extra.argument.name, format!("a {} has no such value", class.word.to_lowercase()))
+                    .adams(format!("'{}' is not a valid parameter.", call.program.word(extra.argument.name))),
+                ]);
+            }
+            self.set_fields(id, call)?;
+            self.clear_by_no(id, call);
+            if call.path.ends_with("mass_properties") {
+                self.warn_about_mass(id, call);
+            }
+            self.database.make_current(id);
+            self.rename_from(id, call)?;
+        }
+        Ok(())
+    }
+
+    /// The objects a modify command is about, and the parameter that names them.
+    fn objects_to_modify(&mut self, groups: &[ClassGroup], call: &Call) -> Outcome<(Vec<ObjectId>, String)> {
+        if let Some((parameter, argument)) = call.object_argument() {
+            let (field, name) = (parameter.field, parameter.name.to_string());
+            let draft = self.read_value(call, &field, argument, None)?;
+            return Ok((draft.value.objects(), name));
+        }
+        let first = call.parameters.iter().find(|p| p.role == Role::Object);
+        let wanted = first.map_or("any", |p| match p.field.kind {
+            Kind::Object(_, wanted) => wanted,
+            _ => "any",
+        });
+        let current = self.database.current(wanted).filter(|id| {
+            let class = self.database.object(*id).class;
+            groups.iter().any(|(c, _)| *c == class)
+        });
+        match (current, first) {
+            (Some(id), _) => Ok((vec![id], String::new())),
+            (None, Some(p)) => Err(vec![call.missing(&[&*p.name])]),
+            (None, None) => Ok((Vec::new(), String::new())),
+        }
+    }
+
+    fn rename_from(&mut self, id: ObjectId, call: &Call) -> Outcome<()> {
+        let Some((_, argument)) = call.with_role(Role::NewName) else { return Ok(()) };
+        let typed = self.text_argument(call, argument)?;
+        self.rename(id, &typed, argument.value_span)
+    }
+
+    /// Gives an object another name, bare or in full.
+    pub(crate) fn rename(&mut self, id: ObjectId, typed: &str, span: Span) -> Outcome<()> {
+        let object = self.database.object(id);
+        let class = object.class;
+        let parent = object.parent;
+        let mut name = lookup::new_name(&self.database, &self.registry, class, typed, span).map_err(|e| vec![e])?;
+        if !typed.starts_with('.') {
+            name.parent = parent;
+        }
+        if let Some(p) = name.parent
+            && self.database.subtree(id).contains(&p)
+        {
+            return Err(vec![
+                Diagnostic::error("name/no-parent", format!("`{typed}` would be below itself"))
+                    .at(span, "not possible")
+                    .adams("Invalid input. Enter return or a parameter."),
+            ]);
+        }
+        self.names.forget();
+        self.database
+            .rename(id, name.parent, &name.name)
+            .map_err(|t| vec![lookup::taken(&self.database, class, typed, t.0, span)])
+    }
+
+    /// The one object of a settings class of a model.
+    pub(crate) fn change_settings_object(&mut self, class: &'static Class, call: &Call) -> Outcome<()> {
+        let model = match (call.argument("model_name"), call.field("model_name")) {
+            (Some(argument), Some(field)) => {
+                let field = *field;
+                self.read_value(call, &field, argument, None)?.value.as_object()
+            }
+            _ => self.database.current("model"),
+        };
+        let Some(model) = model else { return Err(vec![call.missing(&["model_name"])]) };
+        let id = match self.database.child(Some(model), class.id, class.id) {
+            Some(id) => id,
+            None => self
+                .database
+                .create(class, Some(model), class.id)
+                .map_err(|t| vec![lookup::taken(&self.database, class, class.id, t.0, call.span)])?,
+        };
+        if class.cell_index("model_name").is_some() {
+            self.database.set_value(id, "model_name", Value::Object(model));
+        }
+        self.set_fields(id, call)
+    }
+
+    /// Stores every given value in its cell and re-evaluates what depends on it.
+    pub(crate) fn set_fields(&mut self, id: ObjectId, call: &Call) -> Outcome<()> {
+        let class = self.database.object(id).class;
+        let mut changed = Vec::new();
+        self.place(id, call, &mut changed)?;
+        for given in &call.given {
+            let parameter = &call.parameters[given.parameter];
+            if parameter.role != Role::Field || place::PLACING.contains(&parameter.field.name) && is_placed(class) {
+                continue;
+            }
+            let Some(cell) = class.cell_index(parameter.field.name) else { continue };
+            if parameter.field.usage == Use::Create && ends::is_end(parameter.field.name) {
+                continue;
+            }
+            let field = *class.field(cell);
+            let draft = self.read_value(call, &field, given.argument, Some(id))?;
+            if field.name == "adams_id" {
+                self.check_id(id, &draft.value, given.argument.value_span)?;
+            }
+            if field.default == Default::Current
+                && let Some(object) = draft.value.as_object()
+            {
+                self.database.make_current(object);
+            }
+            let key = CellKey::new(id, cell);
+            self.store(key, draft);
+            changed.push(key);
+        }
+        self.recompute(&changed, call.span)
+    }
+
+    /// Stores location and orientation in the frame of the parent.
+    fn place(&mut self, id: ObjectId, call: &Call, changed: &mut Vec<CellKey>) -> Outcome<()> {
+        let class = self.database.object(id).class;
+        if !is_placed(class) || !call.given.iter().any(|g| place::PLACING.contains(&&*call.parameters[g.parameter].name)) {
+            return Ok(());
+        }
+        let parent = self.database.object(id).parent;
+        let mut reader = Reader {
+            database: &self.database,
+            registry: &self.registry,
+            sources: &self.sources,
+            program: call.program,
+            owner: Some(id),
+            warnings: Vec::new(),
+        };
+        let placement = place::read(&mut reader, call, Some(id), parent)?;
+        let warnings = std::mem::take(&mut reader.warnings);
+        self.report.diagnostics.extend(warnings);
+        let kept = [&placement.location, &placement.orientation]
+            .into_iter()
+            .flatten()
+            .any(|d| d.source != model::Source::Literal);
+        for (name, draft) in [("location", placement.location), ("orientation", placement.orientation)] {
+            if let (Some(draft), Some(cell)) = (draft, class.cell_index(name)) {
+                let key = CellKey::new(id, cell);
+                self.store(key, draft);
+                changed.push(key);
+            }
+        }
+        if kept && let Some(frame) = placement.relative_to {
+            self.database.set_value(id, "relative_to", Value::Object(frame));
+        }
+        Ok(())
+    }
+
+    /// Fills cells that were not given and have a default.
+    fn set_defaults(&mut self, id: ObjectId, class: &'static Class, group: &'static Group, call: &Call) -> Outcome<()> {
+        for field in group.fields {
+            if field.usage == Use::Modify || call.argument(field.name).is_some() {
+                continue;
+            }
+            let Some(cell) = class.cell_index(field.name) else { continue };
+            let key = CellKey::new(id, cell);
+            if self.database.object(id).cells[cell].is_some() {
+                continue;
+            }
+            let value = match (field.default, field.kind) {
+                (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
+                (Default::Number(x), _) => Value::Number(x),
+                (Default::Word(w), Kind::Boolean(yes, _)) => Value::Flag(w == yes),
+                (Default::Word(w), _) => Value::Text(w.to_string()),
+                (Default::Current, Kind::Object(_, wanted)) => match self.database.current(wanted) {
+                    Some(current) => Value::Object(current),
+                    None if field.required => return Err(vec![call.missing(&[field.name])]),
+                    None => continue,
+                },
+                _ => continue,
+            };
+            self.store(key, Draft::literal(value));
+        }
+        if is_placed(class) {
+            for name in ["location", "orientation"] {
+                if let Some(cell) = class.cell_index(name)
+                    && self.database.object(id).cells[cell].is_none()
+                {
+                    // Not given: at the frame values would have been read in.
+                    self.place_at_default_frame(id, name, cell);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn place_at_default_frame(&mut self, id: ObjectId, name: &str, cell: usize) {
+        let database = &self.database;
+        let parent = database.object(id).parent;
+        let frame = database.settings().default_frame.filter(|f| database.get(*f).is_some());
+        let pose = if frame == parent {
+            model::Pose::GLOBAL
+        } else {
+            let parent_pose = parent.map_or(model::Pose::GLOBAL, |p| database.global_pose(p));
+            parent_pose.inverse().then(&frame.map_or(model::Pose::GLOBAL, |f| database.global_pose(f)))
+        };
+        let numbers = if name == "location" {
+            pose.origin.to_array()
+        } else {
+            let angle = database.units().angle.si;
+            model::angles_of(&pose.rotation).map(|a| a / angle)
+        };
+        let value = Value::Array(model::Array::column(numbers.to_vec()));
+        self.store(CellKey::new(id, cell), Draft::literal(value));
+    }
+
+    /// `no_vx = true` takes the value of `vx` away.
+    fn clear_by_no(&mut self, id: ObjectId, call: &Call) {
+        let class = self.database.object(id).class;
+        for given in &call.given {
+            let name = call.parameters[given.parameter].field.name;
+            if let Some(other) = name.strip_prefix("no_")
+                && let Some(cell) = class.cell_index(other)
+                && self.database.flag(id, name) == Some(true)
+            {
+                let key = CellKey::new(id, cell);
+                self.database.set_reads(key, Vec::new());
+                self.database.set_cell(key, None);
+                if let Some(flag) = class.cell_index(name) {
+                    self.database.set_cell(CellKey::new(id, flag), None);
+                }
+            }
+        }
+    }
+
+    fn warn_about_mass(&mut self, id: ObjectId, call: &Call) {
+        if call.argument("mass").is_some() && self.database.reference(id, "center_of_mass_marker").is_none() {
+            let name = self.database.full_name(id);
+            self.report.diagnostics.push(
+                Diagnostic::warning("part/no-center-of-mass", format!("`{name}` has mass but no centre-of-mass marker"))
+                    .at(call.span, "its centre of mass is taken at its origin")
+                    .adams(format!("Part {name} has mass but no center-of-mass marker is specified.")),
+            );
+        }
+    }
+
+    fn check_id(&mut self, id: ObjectId, value: &Value, span: Span) -> Outcome<()> {
+        let Value::Integer(number) = *value else { return Ok(()) };
+        if number < 0 {
+            return Err(vec![
+                Diagnostic::error("value/negative-id", "`adams_id` must not be negative")
+                    .at(span, "0 asks for a number to be generated")
+                    .adams("Invalid input. Enter a positive integer."),
+            ]);
+        }
+        let Some(other) = self.names.holder_of_id(&self.database, id, number) else { return Ok(()) };
+        let class = self.database.object(other).class;
+        let (mine, theirs) = (self.database.full_name(id), self.database.full_name(other));
+        Err(vec![
+            Diagnostic::error("name/id-taken", format!("the id {number} belongs to `{theirs}` already"))
+                .at(span, "id in use")
+                .help("give another number, or 0 to have one generated")
+                .adams(format!(
+                    "The ADAMS ID {number} of {mine} conflicts with the ADAMS ID of {} entity {theirs}.",
+                    class.word
+                )),
+        ])
+    }
+
+    // ---- helpers ----
+
+    /// Reads the value of an argument.
+    pub(crate) fn read_value(
+        &mut self,
+        call: &Call,
+        field: &Field,
+        argument: &syntax::command::Argument,
+        owner: Option<ObjectId>,
+    ) -> Outcome<Draft> {
+        let mut reader = Reader {
+            database: &self.database,
+            registry: &self.registry,
+            sources: &self.sources,
+            program: call.program,
+            owner,
+            warnings: Vec::new(),
+        };
+        let outcome = reader.read(field, argument);
+        let warnings = std::mem::take(&mut reader.warnings);
+        self.report.diagnostics.extend(warnings);
+        outcome
+    }
+
+    /// The text of a one-word argument; an expression is evaluated.
+    pub(crate) fn text_argument(&mut self, call: &Call, argument: &syntax::command::Argument) -> Outcome<String> {
+        if let [item] = argument.values.as_slice() {
+            match &item.kind {
+                ItemKind::Expression(e) => {
+                    let value = evaluation::evaluate(e, &self.database, &self.sources, None)?.value;
+                    return Ok(crate::values::text_of(&value, &self.database));
+                }
+                // A quoted name that is not plain keeps its quotes, so that dots in it are no path.
+                ItemKind::Text(text) if !text.contains('.') => return Ok(model::quoted(text)),
+                ItemKind::Text(text) => return Ok(text.clone()),
+                _ => return Ok(call.program.word(item.span).to_string()),
+            }
+        }
+        Err(vec![
+            Diagnostic::error("command/wrong-count", "one name is wanted")
+                .at(argument.value_span, format!("{} values", argument.values.len()))
+                .adams("Invalid input. Enter return or a parameter."),
+        ])
+    }
+
+    pub(crate) fn store(&mut self, key: CellKey, draft: Draft) {
+        let units = self.database.settings().units;
+        self.database.set_reads(key, draft.reads);
+        self.database.set_cell(key, Some(Cell { value: draft.value, units, source: draft.source }));
+    }
+
+    pub(crate) fn recompute(&mut self, changed: &[CellKey], span: Span) -> Outcome<()> {
+        evaluation::recompute(&mut self.database, changed).map_err(|e| vec![e.or_at(span, "needed by this change")])
+    }
+}
+
+/// Whether objects of a class have a place of their own (and are not merely created at one).
+fn is_placed(class: &Class) -> bool {
+    class.fields().any(|f| f.name == "location" && f.usage != Use::Create && f.kind == Kind::Location)
+}

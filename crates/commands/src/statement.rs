@@ -1,0 +1,315 @@
+//! One statement: from its words to what it does, with everything taken back if it fails.
+
+use model::{CellKey, ObjectId};
+use syntax::command::{Argument, Item, StatementKind};
+use text::{Diagnostic, Span};
+
+use crate::{
+    Interpreter, OnError,
+    blocks::Control,
+    call::Call,
+    interpreter::Flow,
+    known,
+    program::Program,
+    tree::{Action, Command, Path},
+    words::nearest,
+};
+
+type Errors = Vec<Diagnostic>;
+
+impl Interpreter {
+    /// Runs a statement that opens no block. A failed one leaves the database as it was.
+    pub(crate) fn run_statement(&mut self, program: &Program, index: usize, control: Control) -> Flow {
+        let mark = self.database.mark();
+        let before = self.report.diagnostics.len();
+        let outcome = self.try_statement(program, index, control);
+        self.echo_pending(program, index, outcome.as_ref().err());
+        match outcome {
+            Ok(flow) => {
+                let flow = if flow == Flow::Skipped {
+                    Flow::Next
+                } else {
+                    self.report.executed += 1;
+                    flow
+                };
+                self.trace_warnings(before);
+                if self.undo_blocks == 0 {
+                    self.database.finish_step();
+                }
+                flow
+            }
+            Err(errors) => {
+                self.database.roll_back(mark);
+                self.names.forget();
+                self.trace_warnings(before);
+                self.failed(errors)
+            }
+        }
+    }
+
+    /// Counts a failed command and decides whether its file goes on.
+    pub(crate) fn failed(&mut self, errors: Errors) -> Flow {
+        self.report.failed += 1;
+        self.complain(errors);
+        if self.on_error == OnError::AbortFile { Flow::Abort } else { Flow::Next }
+    }
+
+    /// Adds the call trace to diagnostics that were filed while a command ran.
+    fn trace_warnings(&mut self, from: usize) {
+        if self.trace.is_empty() {
+            return;
+        }
+        for diagnostic in &mut self.report.diagnostics[from..] {
+            if let Some(call) = self.trace.last()
+                && !diagnostic.secondary.iter().any(|l| l.span == *call)
+            {
+                diagnostic.secondary.push(text::Label { span: *call, text: "called from here".into() });
+            }
+        }
+    }
+
+    fn try_statement(&mut self, program: &Program, index: usize, control: Control) -> Result<Flow, Errors> {
+        let parsed = &program.statements[index];
+        let (mut errors, mut warnings): (Errors, Errors) =
+            parsed.diagnostics.iter().cloned().partition(Diagnostic::is_error);
+        self.report.diagnostics.append(&mut warnings);
+        let span = parsed.statement.span;
+        let flow = match &parsed.statement.kind {
+            StatementKind::Broken => {
+                if errors.is_empty() {
+                    errors.push(Diagnostic::error("command/not-understood", "this line is no command").at(span, ""));
+                }
+                return Err(errors);
+            }
+            StatementKind::Assignment { target, values } => {
+                if !errors.is_empty() {
+                    return Err(errors);
+                }
+                return self.assign(program, *target, values);
+            }
+            StatementKind::Command { keywords, arguments } => match control {
+                Control::Break => Flow::Break,
+                Control::Continue => Flow::Continue,
+                Control::Return => Flow::Return,
+                _ => return self.command(program, span, keywords, arguments, errors),
+            },
+        };
+        if errors.is_empty() { Ok(flow) } else { Err(errors) }
+    }
+
+    /// Finds what a command's keywords mean.
+    pub(crate) fn find_command(
+        &self,
+        program: &Program,
+        span: Span,
+        keywords: &[Span],
+        arguments: &[Argument],
+    ) -> Result<Command, Errors> {
+        let words: Vec<&str> = keywords.iter().map(|k| program.word(*k)).collect();
+        let at_word = |at: usize| keywords.get(at).copied().unwrap_or(span);
+        match self.tree.find(&words) {
+            Path::Found(command) => Ok(command),
+            Path::Unknown { at, near } => Err(vec![unknown_keyword(words[at], at_word(at), &words[..at], &near)]),
+            Path::Ambiguous { at, candidates } => Err(vec![
+                Diagnostic::error(
+                    "command/ambiguous-abbreviation",
+                    format!("`{}` may stand for {}", words[at], candidates.join(", ")),
+                )
+                .at(at_word(at), "ambiguous")
+                .help("write more letters of the one that is meant")
+                .adams(format!("'{}' is an ambiguous keyword.", words[at])),
+            ]),
+            Path::Surplus { at } => Err(vec![
+                Diagnostic::error(
+                    "command/unknown-argument",
+                    format!("`{}` takes no word `{}`", words[..at].join(" "), words[at]),
+                )
+                .at(at_word(at), "unexpected")
+                .adams(format!("'{}' is not a valid parameter.", words[at])),
+            ]),
+            Path::Incomplete { next } => match arguments.first() {
+                Some(argument) => {
+                    Err(vec![unknown_keyword(program.word(argument.name), argument.name, &words, &next)])
+                }
+                None => Err(vec![
+                    Diagnostic::error("command/incomplete", format!("`{}` is not complete", words.join(" ")))
+                        .at(span, "a keyword is missing")
+                        .help(format!("it is followed by {}", next.join(", ")))
+                        .adams("Invalid input. Enter an object, qualifier, or action."),
+                ]),
+            },
+        }
+    }
+
+    /// Matches the arguments of a command. `Err` where something does not fit.
+    pub(crate) fn bind<'p>(
+        &mut self,
+        program: &'p Program,
+        span: Span,
+        keywords: &[Span],
+        command: &Command,
+        arguments: &'p [Argument],
+        mut errors: Errors,
+    ) -> Result<Call<'p>, Errors> {
+        let keyword_span = match (keywords.first(), keywords.last()) {
+            (Some(first), Some(last)) => first.to(*last),
+            _ => span,
+        };
+        let (rules, creating): (&[schema::Rule], bool) = match &command.action {
+            Action::Create(_, group) => (group.rules, true),
+            Action::Set(groups) if groups.len() == 1 => (groups[0].1.rules, false),
+            Action::Verb(entry) => (entry.verb.rules, true),
+            _ => (&[], false),
+        };
+        let (call, mut binding) = Call::bind(program, command, keyword_span, span, arguments, rules, creating);
+        if !errors.is_empty() {
+            // What the parser could not read may be an argument whose kind says more.
+            self.explain_broken(&call, &mut errors);
+            errors.append(&mut binding);
+            return Err(errors);
+        }
+        if binding.is_empty() {
+            return Ok(call);
+        }
+        if self.on_error == OnError::ContinueCommand {
+            self.report.failed += 1;
+            self.complain(binding);
+            return Ok(call);
+        }
+        Err(binding)
+    }
+
+    /// Adds how many values are wanted where a list of numbers could not be read.
+    fn explain_broken(&mut self, call: &Call, errors: &mut Errors) {
+        for given in &call.given {
+            let field = call.parameters[given.parameter].field;
+            if field.count.least > 1
+                && let Err(mut more) = self.read_value(call, &field, given.argument, None)
+            {
+                more.append(errors);
+                *errors = more;
+            }
+        }
+    }
+
+    fn command(
+        &mut self,
+        program: &Program,
+        span: Span,
+        keywords: &[Span],
+        arguments: &[Argument],
+        errors: Errors,
+    ) -> Result<Flow, Errors> {
+        let command = match self.find_command(program, span, keywords, arguments) {
+            Ok(command) => command,
+            Err(mut more) => {
+                more.extend(errors);
+                return Err(more);
+            }
+        };
+        if matches!(command.action, Action::Unsupported) {
+            if !errors.is_empty() {
+                return Err(errors);
+            }
+            self.not_supported(&command.path, span);
+            return Ok(Flow::Skipped);
+        }
+        let call = self.bind(program, span, keywords, &command, arguments, errors)?;
+        match &command.action {
+            Action::Create(class, group) => self.create_object(class, group, &call).map(|_| Flow::Next),
+            Action::Set(groups) => self.modify_objects(groups, &call).map(|()| Flow::Next),
+            Action::Settings(class, _) => self.change_settings_object(class, &call).map(|()| Flow::Next),
+            Action::Verb(entry) => {
+                self.echo_now(program, span);
+                (entry.run)(self, &call)
+            }
+            Action::Macro(id) => {
+                self.echo_now(program, span);
+                self.call_macro(*id, &call)
+            }
+            Action::Unsupported => Ok(Flow::Next),
+        }
+    }
+
+    /// A command that is known but not executed is named, with what that means.
+    pub(crate) fn not_supported(&mut self, path: &str, span: Span) {
+        self.report.skipped += 1;
+        self.report.diagnostics.push(
+            Diagnostic::warning("command/not-supported", format!("`{path}` is not executed by Flexure"))
+                .at(span, "skipped")
+                .note(known::meaning(path)),
+        );
+    }
+
+    /// `.object.field = value`.
+    fn assign(&mut self, program: &Program, target: Span, values: &[Item]) -> Result<Flow, Errors> {
+        let typed = program.word(target);
+        let steps = model::split_name(typed.strip_prefix('.').unwrap_or(typed));
+        let place = self.assigned_cell(&steps);
+        let Some((id, cell)) = place else {
+            if steps.first().is_some_and(|s| self.database.children_named(None, s).is_empty()) {
+                self.not_supported(&format!("{typed} = ..."), target);
+                return Ok(Flow::Skipped);
+            }
+            return Err(vec![
+                Diagnostic::error("name/not-found", format!("`{typed}` is no value of an object"))
+                    .at(target, "nothing to assign to")
+                    .adams("Invalid input. Enter an object, qualifier, or action."),
+            ]);
+        };
+        let value_span = match (values.first(), values.last()) {
+            (Some(a), Some(b)) => a.span.to(b.span),
+            _ => target,
+        };
+        let argument = Argument { name: target, values: values.to_vec(), value_span };
+        let call = Call {
+            program,
+            keywords: target,
+            span: target.to(value_span),
+            path: typed.into(),
+            parameters: std::sync::Arc::new([]),
+            given: Vec::new(),
+        };
+        let field = *self.database.object(id).class.field(cell);
+        let draft = self.read_value(&call, &field, &argument, Some(id))?;
+        let key = CellKey::new(id, cell);
+        self.store(key, draft);
+        self.recompute(&[key], target)?;
+        Ok(Flow::Next)
+    }
+
+    fn assigned_cell(&self, steps: &[String]) -> Option<(ObjectId, usize)> {
+        let (field, path) = steps.split_last()?;
+        if let Some(id) = self.database.descend(None, path, "any") {
+            let class = self.database.object(id).class;
+            let names: Vec<&str> = class.fields().map(|f| f.name).collect();
+            if let crate::words::Match::One(i) = crate::words::match_word(names, field) {
+                return Some((id, i));
+            }
+        }
+        let id = self.database.descend(None, steps, "variable")?;
+        let class = self.database.object(id).class;
+        let held = ["real_value", "integer_value", "string_value", "object_value"];
+        let name = held.iter().find(|n| self.database.cell(id, n).is_some())?;
+        Some((id, class.cell_index(name)?))
+    }
+}
+
+fn unknown_keyword(word: &str, span: Span, before: &[&str], near: &[String]) -> Diagnostic {
+    let message = if before.is_empty() {
+        format!("there is no command `{word}`")
+    } else {
+        format!("`{word}` does not follow `{}`", before.join(" "))
+    };
+    let mut error = Diagnostic::error("command/unknown-keyword", message)
+        .at(span, "unknown keyword")
+        .adams(format!("'{word}' is not a valid keyword. You may have misspelled"))
+        .adams("the keyword or you may be missing a continuation character(&)")
+        .adams("on the previous line.");
+    if let Some(guess) = nearest(near.iter().map(String::as_str), word) {
+        error = error.fix(format!("did you mean `{guess}`?"), span, guess);
+    } else if !before.is_empty() && near.len() <= 30 {
+        error = error.note(format!("what may follow is {}", near.join(", ")));
+    }
+    error
+}

@@ -1,0 +1,537 @@
+//! Arguments become values of cells: numbers with their units, words, texts, objects, functions.
+
+use model::{Array, CellKey, Database, Expression, FunctionText, ObjectId, Source, Value};
+use schema::{Dimension, Field, Kind, Registry, UnitName, parse_unit_expression};
+use syntax::command::{Argument, Item, ItemKind, parse_expression};
+use text::{Diagnostic, Sources, Span};
+
+use crate::{
+    evaluation::{self, Outcome},
+    function_text, lookup,
+    program::Program,
+    words::{Match, is_pattern, match_word, nearest},
+};
+
+/// A value for a cell, not yet stored.
+#[derive(Clone, Debug)]
+pub struct Draft {
+    pub value: Value,
+    pub source: Source,
+    pub reads: Vec<CellKey>,
+}
+
+impl Draft {
+    pub fn literal(value: Value) -> Draft {
+        Draft { value, source: Source::Literal, reads: Vec::new() }
+    }
+}
+
+/// What reading a value needs.
+pub struct Reader<'a> {
+    pub database: &'a Database,
+    pub registry: &'a Registry,
+    pub sources: &'a Sources,
+    pub program: &'a Program,
+    /// The object whose cell is filled.
+    pub owner: Option<ObjectId>,
+    pub warnings: Vec<Diagnostic>,
+}
+
+type Errors = Vec<Diagnostic>;
+
+impl Reader<'_> {
+    /// Reads the values of an argument as its field wants them.
+    pub fn read(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
+        if argument.values.is_empty() {
+            let error = Diagnostic::error("command/missing-value", format!("`{}` has no value", field.name))
+                .at(argument.name, "a value is missing behind `=`")
+                .adams(match field.kind {
+                    Kind::Object(..) => "Invalid input. Enter '.' or an entity name.",
+                    Kind::Text | Kind::File | Kind::Function => "Invalid input. Enter a quoted string.",
+                    _ => "Invalid input. Enter a value.",
+                });
+            return Err(vec![error]);
+        }
+        match field.kind {
+            Kind::Integer | Kind::Real | Kind::Location | Kind::Orientation => self.numbers(field, argument),
+            Kind::Boolean(yes, no) => self.boolean(field, argument, yes, no),
+            Kind::Choice(words) => self.choices(field, argument, words),
+            Kind::Text | Kind::File => self.texts(field, argument),
+            Kind::Function => self.function(field, argument),
+            Kind::Object(_, wanted) => self.objects(field, argument, wanted),
+            Kind::Any => self.any(field, argument),
+        }
+    }
+
+    pub fn evaluate(&self, item: &Item) -> Result<Option<Outcome>, Errors> {
+        match &item.kind {
+            ItemKind::Expression(e) => evaluation::evaluate(e, self.database, self.sources, self.owner).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    fn word(&self, span: Span) -> &str {
+        self.program.word(span)
+    }
+
+    // ---- numbers ----
+
+    fn numbers(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
+        let mut values: Vec<f64> = Vec::with_capacity(argument.values.len());
+        let mut elements: Vec<Option<Expression>> = Vec::new();
+        let mut reads = Vec::new();
+        let (mut kept_any, mut errors) = (false, Vec::new());
+        let count = argument.values.len();
+        for item in &argument.values {
+            match self.number_item(field, item) {
+                Ok((numbers, kept, item_reads)) => {
+                    if numbers.len() != 1 && count != 1 && kept.is_some() {
+                        errors.push(
+                            Diagnostic::error(
+                                "command/wrong-count",
+                                format!("this element of `{}` yields {} numbers", field.name, numbers.len()),
+                            )
+                            .at(item.span, "one number is wanted here")
+                            .adams("Invalid input. Enter return or a parameter."),
+                        );
+                    }
+                    values.extend(numbers);
+                    kept_any |= kept.is_some();
+                    elements.push(kept);
+                    reads.extend(item_reads);
+                }
+                Err(mut e) => errors.append(&mut e),
+            }
+        }
+        if !errors.is_empty() {
+            // A list of words where numbers are wanted: the number of values says more.
+            if field.count.most != usize::MAX && field.count.least > 1 && values.is_empty() {
+                errors.insert(0, self.count_error(field, argument, count));
+            }
+            return Err(errors);
+        }
+        if values.len() < field.count.least || values.len() > field.count.most {
+            return Err(vec![self.count_error(field, argument, values.len())]);
+        }
+        for (x, item) in values.iter().zip(argument.values.iter().chain(std::iter::repeat(&argument.values[0]))) {
+            if !x.is_finite() {
+                let error =
+                    Diagnostic::error("value/not-finite", format!("`{}` must be a finite number", field.name))
+                        .at(item.span, format!("this is {x}"))
+                        .adams("Invalid input. Enter a real number.");
+                return Err(vec![error]);
+            }
+            if field.kind == Kind::Integer && (x.fract() != 0.0 || x.abs() > 9.0e15) {
+                let error = Diagnostic::error("value/not-integer", format!("`{}` wants a whole number", field.name))
+                    .at(item.span, format!("this is {x}"))
+                    .adams("Invalid input. Enter an integer.");
+                return Err(vec![error]);
+            }
+        }
+        let value = match (field.kind, values.as_slice()) {
+            (Kind::Integer, [one]) if field.count.most == 1 => Value::Integer(*one as i64),
+            (Kind::Real, [one]) if field.count.most == 1 => Value::Number(*one),
+            _ => Value::Array(Array::column(values)),
+        };
+        let source = match (kept_any, count) {
+            (false, _) => Source::Literal,
+            (true, 1) => match elements.pop().flatten() {
+                Some(e) => Source::Expression(Box::new(e)),
+                None => Source::Literal,
+            },
+            (true, _) => Source::Elements(elements),
+        };
+        Ok(Draft { value, source, reads })
+    }
+
+    fn count_error(&self, field: &Field, argument: &Argument, found: usize) -> Diagnostic {
+        let wanted = match (field.count.least, field.count.most) {
+            (least, most) if least == most => format!("{least}"),
+            (least, usize::MAX) => format!("at least {least}"),
+            (least, most) => format!("{least} to {most}"),
+        };
+        let noun = match field.kind {
+            Kind::Integer | Kind::Real | Kind::Location | Kind::Orientation => "number",
+            _ => "value",
+        };
+        let plural = if wanted == "1" { "" } else { "s" };
+        Diagnostic::error(
+            "command/wrong-count",
+            format!("`{}` wants {wanted} {noun}{plural}, not {found}", field.name),
+        )
+        .at(argument.value_span, format!("{found} given"))
+        .help(format!("give {wanted} {noun}{plural}, separated by commas"))
+        .adams(format!("{wanted} values are required for '{}'.", field.name))
+    }
+
+    fn number_item(
+        &mut self,
+        field: &Field,
+        item: &Item,
+    ) -> Result<(Vec<f64>, Option<Expression>, Vec<CellKey>), Errors> {
+        match &item.kind {
+            ItemKind::Number { value, unit: None } => Ok((vec![*value], None, Vec::new())),
+            ItemKind::Number { value, unit: Some(unit) } => {
+                Ok((vec![self.with_unit(field, *value, unit, item.span)?], None, Vec::new()))
+            }
+            ItemKind::Expression(e) => {
+                let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
+                if let Value::Text(text) = &outcome.value {
+                    // A text in the place of a number is read as an expression itself.
+                    let numbers = self.number_text(field, text, item.span)?;
+                    return Ok((numbers, None, Vec::new()));
+                }
+                let Some(numbers) = outcome.value.as_numbers() else {
+                    return Err(vec![not_a_number(field, item.span, &describe(&outcome.value))]);
+                };
+                if let Some(found) = outcome.dimension {
+                    self.check_dimension(field, found, &outcome, item.span)?;
+                }
+                Ok((numbers, outcome.kept, outcome.reads))
+            }
+            ItemKind::Text(text) => Ok((self.number_text(field, text, item.span)?, None, Vec::new())),
+            ItemKind::Word => {
+                let word = self.word(item.span);
+                let mut error = not_a_number(field, item.span, "a word");
+                if lookup::search_one(self.database, word, "variable").is_some() {
+                    error = error.fix(
+                        "a variable is referred to in parentheses",
+                        item.span,
+                        format!("({word})"),
+                    );
+                }
+                Err(vec![error])
+            }
+        }
+    }
+
+    fn number_text(&self, field: &Field, text: &str, span: Span) -> Result<Vec<f64>, Errors> {
+        if let Ok(number) = text.trim().parse::<f64>() {
+            return Ok(vec![number]);
+        }
+        let parsed = parse_expression(span.file, text, span.start as usize + 1);
+        let usable = parsed.1.iter().all(|d| !d.is_error());
+        let value = if usable {
+            evaluation::evaluate(&parsed.0, self.database, self.sources, self.owner).ok().map(|o| o.value)
+        } else {
+            None
+        };
+        value
+            .and_then(|v| v.as_numbers())
+            .ok_or_else(|| vec![not_a_number(field, span, &format!("the text \"{text}\""))])
+    }
+
+    /// A plain number with a unit behind it, in current units.
+    fn with_unit(&self, field: &Field, value: f64, unit: &str, span: Span) -> Result<f64, Errors> {
+        let known = if unit.eq_ignore_ascii_case("d") {
+            UnitName::find("degrees").map(|u| (u.dimension, u.si))
+        } else {
+            parse_unit_expression(unit)
+        };
+        let Some((dimension, si)) = known else {
+            let error = Diagnostic::error("unit/unknown", format!("`{unit}` is not a unit"))
+                .at(span, "unknown unit")
+                .adams("Invalid input. Enter return or a parameter.");
+            return Err(vec![error]);
+        };
+        let units = self.database.units();
+        // An angle unit on a rate or a stiffness concerns its angle alone.
+        let angle_part = dimension == Dimension::ANGLE && field.dimension.angle == 1;
+        if dimension != field.dimension && field.dimension != Dimension::NONE && !angle_part {
+            return Err(vec![wrong_dimension(self.database, field, dimension, span)]);
+        }
+        Ok(value * (si / units.factor(dimension)))
+    }
+
+    fn check_dimension(
+        &mut self,
+        field: &Field,
+        found: Dimension,
+        outcome: &Outcome,
+        span: Span,
+    ) -> Result<(), Errors> {
+        let wanted = field.dimension;
+        let same = Dimension { angle: wanted.angle, ..found } == wanted;
+        if same || wanted == Dimension::NONE || found == Dimension::NONE || field.kind == Kind::Integer {
+            return Ok(());
+        }
+        let error = wrong_dimension(self.database, field, found, span);
+        if outcome.kept.as_ref().is_some_and(evaluation::is_plain_quantity) {
+            return Err(vec![error]);
+        }
+        self.warnings.push(Diagnostic { severity: text::Severity::Warning, adams_text: Vec::new(), ..error });
+        Ok(())
+    }
+
+    // ---- words ----
+
+    fn plain(&self, item: &Item) -> Result<String, Errors> {
+        match &item.kind {
+            ItemKind::Text(text) => Ok(text.clone()),
+            ItemKind::Word | ItemKind::Number { .. } => Ok(self.word(item.span).to_string()),
+            ItemKind::Expression(e) => {
+                let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
+                Ok(text_of(&outcome.value, self.database))
+            }
+        }
+    }
+
+    fn boolean(&mut self, field: &Field, argument: &Argument, yes: &str, no: &str) -> Result<Draft, Errors> {
+        let [item] = argument.values.as_slice() else {
+            return Err(vec![self.count_error(field, argument, argument.values.len())]);
+        };
+        let typed = self.plain(item)?;
+        let flag = match match_word([yes, no], &typed) {
+            Match::One(i) => Some(i == 0),
+            _ => match typed.to_ascii_lowercase().as_str() {
+                "yes" | "on" | "true" | "1" => Some(true),
+                "no" | "off" | "false" | "0" => Some(false),
+                _ => None,
+            },
+        };
+        flag.map(|f| Draft::literal(Value::Flag(f))).ok_or_else(|| {
+            vec![
+                Diagnostic::error("command/unknown-word", format!("`{}` is `{yes}` or `{no}`", field.name))
+                    .at(item.span, format!("`{typed}` is neither"))
+                    .adams(format!("'{typed}' is not a valid choice for '{}'.", field.name)),
+            ]
+        })
+    }
+
+    fn choices(&mut self, field: &Field, argument: &Argument, words: &[&'static str]) -> Result<Draft, Errors> {
+        let mut chosen = Vec::new();
+        for item in &argument.values {
+            let typed = self.plain(item)?;
+            match match_word(words.iter().copied(), &typed) {
+                Match::One(i) => chosen.push(words[i].to_string()),
+                Match::Many(found) => {
+                    let names: Vec<&str> = found.iter().map(|i| words[*i]).collect();
+                    return Err(vec![
+                        Diagnostic::error(
+                            "command/ambiguous-abbreviation",
+                            format!("`{typed}` may stand for {}", names.join(", ")),
+                        )
+                        .at(item.span, "ambiguous")
+                        .adams(format!("'{typed}' is ambiguous.")),
+                    ]);
+                }
+                Match::None => {
+                    let mut error = Diagnostic::error(
+                        "command/unknown-word",
+                        format!("`{typed}` is not a choice for `{}`", field.name),
+                    )
+                    .at(item.span, format!("wants {}", words.join(", ")))
+                    .adams(format!("'{typed}' is not a valid choice for '{}'.", field.name));
+                    if let Some(guess) = nearest(words.iter().copied(), &typed) {
+                        error = error.fix(format!("did you mean `{guess}`?"), item.span, guess);
+                    }
+                    return Err(vec![error]);
+                }
+            }
+        }
+        self.text_value(field, argument, chosen)
+    }
+
+    fn text_value(&self, field: &Field, argument: &Argument, mut texts: Vec<String>) -> Result<Draft, Errors> {
+        if texts.len() > field.count.most || texts.len() < field.count.least {
+            return Err(vec![self.count_error(field, argument, texts.len())]);
+        }
+        let value = if field.count.most == 1 {
+            Value::Text(texts.pop().unwrap_or_default())
+        } else {
+            Value::Texts(texts)
+        };
+        Ok(Draft::literal(value))
+    }
+
+    fn texts(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
+        let mut texts = Vec::new();
+        let mut kept = None;
+        let mut reads = Vec::new();
+        for item in &argument.values {
+            if let Some(outcome) = self.evaluate(item)? {
+                match &outcome.value {
+                    Value::Texts(list) => texts.extend(list.iter().cloned()),
+                    other => texts.push(text_of(other, self.database)),
+                }
+                if argument.values.len() == 1 && !outcome.reads.is_empty() {
+                    kept = outcome.kept;
+                    reads = outcome.reads;
+                }
+            } else {
+                texts.push(self.plain(item)?);
+            }
+        }
+        let mut draft = self.text_value(field, argument, texts)?;
+        if let Some(expression) = kept {
+            draft.source = Source::Expression(Box::new(expression));
+            draft.reads = reads;
+        }
+        Ok(draft)
+    }
+
+    fn function(&mut self, _field: &Field, argument: &Argument) -> Result<Draft, Errors> {
+        let mut text = String::new();
+        for item in &argument.values {
+            match self.evaluate(item)? {
+                Some(outcome) => text.push_str(&text_of(&outcome.value, self.database)),
+                None => text.push_str(&self.plain(item)?),
+            }
+        }
+        let (bound, unknown) = function_text::bind(self.database, &text);
+        for name in unknown {
+            self.warnings.push(
+                Diagnostic::warning("name/not-found", format!("the function names `{name}`, which does not exist"))
+                    .at(argument.value_span, "kept as text")
+                    .note("it must exist when the model is simulated, and does not follow a renaming"),
+            );
+        }
+        Ok(Draft::literal(Value::Function(bound)))
+    }
+
+    // ---- objects ----
+
+    fn objects(&mut self, field: &Field, argument: &Argument, wanted: &str) -> Result<Draft, Errors> {
+        let mut found = Vec::new();
+        let mut kept = None;
+        let mut reads = Vec::new();
+        let many = field.count.most > 1;
+        for item in &argument.values {
+            if let Some(outcome) = self.evaluate(item)? {
+                match &outcome.value {
+                    Value::Nothing => {}
+                    Value::Text(name) => found.extend(self.named(name, wanted, many, item.span)?),
+                    Value::Texts(names) => {
+                        for name in names {
+                            found.extend(self.named(name, wanted, many, item.span)?);
+                        }
+                    }
+                    other => {
+                        let objects = other.objects();
+                        if objects.is_empty() {
+                            return Err(vec![self.not_an_object(field, wanted, item.span)]);
+                        }
+                        for object in objects {
+                            found.push(self.as_wanted(object, wanted, item.span)?);
+                        }
+                    }
+                }
+                if argument.values.len() == 1 && !outcome.reads.is_empty() {
+                    kept = outcome.kept;
+                    reads = outcome.reads;
+                }
+            } else if let ItemKind::Number { .. } = item.kind {
+                return Err(vec![self.not_an_object(field, wanted, item.span)]);
+            } else {
+                let name = self.plain(item)?;
+                if name.eq_ignore_ascii_case("none") && found.is_empty() && argument.values.len() == 1 {
+                    return Ok(Draft::literal(Value::Nothing));
+                }
+                found.extend(self.named(&name, wanted, many, item.span)?);
+            }
+        }
+        if found.len() > field.count.most {
+            return Err(vec![self.count_error(field, argument, found.len())]);
+        }
+        let value = match (many, found.as_slice()) {
+            (false, [one]) => Value::Object(*one),
+            (false, _) => Value::Nothing,
+            (true, _) => Value::Objects(found),
+        };
+        let source = kept.map_or(Source::Literal, |e| Source::Expression(Box::new(e)));
+        Ok(Draft { value, source, reads })
+    }
+
+    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<Vec<ObjectId>, Errors> {
+        let outcome = if many && is_pattern(name) {
+            lookup::find_all(self.database, self.registry, name, wanted, span)
+        } else {
+            lookup::find(self.database, self.registry, name, wanted, span).map(|id| vec![id])
+        };
+        outcome.map_err(|e| vec![e])
+    }
+
+    fn as_wanted(&self, id: ObjectId, wanted: &str, span: Span) -> Result<ObjectId, Errors> {
+        let class = self.database.object(id).class;
+        if class.is(wanted) {
+            return Ok(id);
+        }
+        let word = lookup::word_of(self.registry, wanted);
+        let name = self.database.full_name(id);
+        Err(vec![
+            Diagnostic::error(
+                "name/wrong-kind",
+                format!("`{name}` is a {}, not a {}", class.word.to_lowercase(), word.to_lowercase()),
+            )
+            .at(span, format!("a {} is wanted", word.to_lowercase()))
+            .adams(format!("No {word} named '{name}' was found.")),
+        ])
+    }
+
+    fn not_an_object(&self, field: &Field, wanted: &str, span: Span) -> Diagnostic {
+        let word = lookup::word_of(self.registry, wanted).to_lowercase();
+        Diagnostic::error("value/not-an-object", format!("`{}` wants the name of a {word}", field.name))
+            .at(span, "names nothing")
+            .adams("Invalid input. Enter '.' or an entity name.")
+    }
+
+    fn any(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
+        if let [item] = argument.values.as_slice()
+            && let Some(outcome) = self.evaluate(item)?
+        {
+            let source = outcome.kept.map_or(Source::Literal, |e| Source::Expression(Box::new(e)));
+            return Ok(Draft { value: outcome.value, source, reads: outcome.reads });
+        }
+        if argument.values.iter().all(|i| matches!(i.kind, ItemKind::Number { .. })) {
+            return self.numbers(&Field { kind: Kind::Real, ..*field }, argument);
+        }
+        self.texts(field, argument)
+    }
+}
+
+/// The text form of a value where a text is wanted.
+pub fn text_of(value: &Value, database: &Database) -> String {
+    match value {
+        Value::Nothing => "none".into(),
+        Value::Number(x) => format!("{x:?}"),
+        Value::Integer(i) => i.to_string(),
+        Value::Flag(b) => i64::from(*b).to_string(),
+        Value::Text(text) => text.clone(),
+        Value::Object(id) => database.full_name(*id),
+        Value::Array(array) => array.values.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", "),
+        Value::Texts(texts) => texts.join(", "),
+        Value::Objects(ids) => ids.iter().map(|id| database.full_name(*id)).collect::<Vec<_>>().join(", "),
+        Value::Function(function) => function_string(function, database),
+    }
+}
+
+/// A function text with full names.
+pub fn function_string(function: &FunctionText, database: &Database) -> String {
+    function.write(|id| if database.get(id).is_some() { database.full_name(id) } else { "(deleted)".into() })
+}
+
+fn describe(value: &Value) -> String {
+    match value {
+        Value::Object(_) | Value::Objects(_) => "an object".into(),
+        Value::Nothing => "no object".into(),
+        _ => "no number".into(),
+    }
+}
+
+fn not_a_number(field: &Field, span: Span, found: &str) -> Diagnostic {
+    Diagnostic::error("value/not-a-number", format!("`{}` wants a number, not {found}", field.name))
+        .at(span, "not a number")
+        .adams("Invalid input. Enter a real number.")
+}
+
+fn wrong_dimension(database: &Database, field: &Field, found: Dimension, span: Span) -> Diagnostic {
+    let name = |d: Dimension| d.name().map_or_else(|| database.units().label(d), |n| n.replace('_', " "));
+    let wanted = database.units().label(field.dimension);
+    Diagnostic::error(
+        "unit/wrong-dimension",
+        format!("`{}` is of the kind {}, but the value is of the kind {}", field.name, name(field.dimension), name(found)),
+    )
+    .at(span, format!("this is in {}", database.units().label(found)))
+    .note(format!("a plain number is read in {wanted}"))
+    .adams("The units of the expression are not those of the parameter.")
+}

@@ -1,0 +1,255 @@
+//! `defaults ...`: units, frames, current objects and other settings of the session.
+
+use model::{CoordinateSystem, Sequence, Value};
+use schema::{Dimension, Field, Rule, UnitName, Verb};
+use text::Diagnostic;
+
+use super::{VerbEntry, entry};
+use crate::{Interpreter, OnError, call::Call, interpreter::Flow, tree::Role};
+
+type Outcome = Result<Flow, Vec<Diagnostic>>;
+
+const LENGTHS: &[&str] = &[
+    "mm", "cm", "meter", "km", "inch", "foot", "mile", "micrometer", "nanometer", "angstrom", "microinch", "mils", "yard",
+];
+const FORCES: &[&str] = &[
+    "newton", "knewton", "dyne", "pound_force", "kpound_force", "kg_force", "ounce_force", "millinewton", "centinewton",
+    "poundal", "micronewton", "nanonewton", "meganewton",
+];
+const MASSES: &[&str] = &[
+    "kg", "gram", "pound_mass", "kpound_mass", "slug", "slinch", "ounce_mass", "tonne", "milligram", "microgram",
+    "nanogram", "us_ton",
+];
+const TIMES: &[&str] = &["second", "millisecond", "microsecond", "nanosecond", "minute", "hour", "day"];
+const ANGLES: &[&str] = &["degrees", "radians", "angular_minutes", "angular_seconds", "revolutions"];
+const SEQUENCES: &[&str] = &[
+    "body123", "body231", "body312", "body132", "body213", "body321", "body121", "body131", "body212", "body232",
+    "body313", "body323", "space123", "space231", "space312", "space132", "space213", "space321", "space121",
+    "space131", "space212", "space232", "space313", "space323",
+];
+
+pub const UNITS: VerbEntry = entry(
+    Verb {
+        path: "defaults units",
+        fields: &[
+            Field::choice("length", LENGTHS).doc("unit of length"),
+            Field::choice("angle", ANGLES).doc("unit of angles"),
+            Field::choice("force", FORCES).doc("unit of force"),
+            Field::choice("mass", MASSES).doc("unit of mass"),
+            Field::choice("time", TIMES).doc("unit of time"),
+            Field::choice("frequency", &["hz", "radians_sec"]).doc("unit of frequency"),
+            Field::choice("system_of_units", &["mks", "mmks", "cgs", "ips"]).doc("several units at once"),
+            Field::choice("coordinate_system_type", &["cartesian", "cylindrical", "spherical"])
+                .doc("what three coordinates mean"),
+            Field::choice("orientation_type", SEQUENCES).doc("what three angles mean"),
+            Field::real("units_consistency_factor", Dimension::NONE).doc("factor between force and mass times acceleration"),
+        ],
+        rules: &[],
+        doc: "units and forms in which values are given and shown",
+    },
+    units,
+);
+
+fn units(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    let mut units = *interpreter.database.units();
+    if let Some(system) = interpreter.word_of(call, "system_of_units")? {
+        let words = match system.as_str() {
+            "mks" => ["meter", "kg", "newton"],
+            "cgs" => ["cm", "gram", "dyne"],
+            "ips" => ["inch", "pound_mass", "pound_force"],
+            _ => ["mm", "kg", "newton"],
+        };
+        for (slot, word) in [&mut units.length, &mut units.mass, &mut units.force].into_iter().zip(words) {
+            *slot = UnitName::find(word).unwrap_or(*slot);
+        }
+        units.consistency_factor = None;
+    }
+    for (name, slot) in [
+        ("length", &mut units.length),
+        ("angle", &mut units.angle),
+        ("force", &mut units.force),
+        ("mass", &mut units.mass),
+        ("time", &mut units.time),
+        ("frequency", &mut units.frequency),
+    ] {
+        if let Some(word) = interpreter.word_of(call, name)? {
+            *slot = UnitName::find(&word).unwrap_or(*slot);
+        }
+    }
+    if let Some(factor) = interpreter.number_argument(call, "units_consistency_factor")? {
+        units.consistency_factor = Some(factor);
+    }
+    interpreter.database.set_units(units);
+    if let Some(word) = interpreter.word_of(call, "coordinate_system_type")? {
+        let system = match word.as_str() {
+            "cylindrical" => CoordinateSystem::Cylindrical,
+            "spherical" => CoordinateSystem::Spherical,
+            _ => CoordinateSystem::Cartesian,
+        };
+        interpreter.database.change_settings(|s| s.coordinate_system = system);
+    }
+    if let Some(sequence) = interpreter.word_of(call, "orientation_type")?.and_then(|w| Sequence::named(&w)) {
+        interpreter.database.change_settings(|s| s.sequence = sequence);
+    }
+    Ok(Flow::Next)
+}
+
+pub const MODEL: VerbEntry = entry(
+    Verb {
+        path: "defaults model",
+        fields: &[
+            Field::object("model_name", "model").doc("current model"),
+            Field::object("part_name", "body").doc("current part"),
+            Field::object("point_mass_name", "point_mass").doc("current point mass"),
+            Field::object("flexible_body_name", "body").doc("current flexible body"),
+            Field::object("marker_name", "marker").doc("current marker"),
+            Field::object("joint_name", "constraint").doc("current joint"),
+            Field::object("geometry_name", "geometry").doc("current shape"),
+        ],
+        rules: &[],
+        doc: "objects that stand in where a name is not given or not full",
+    },
+    current_objects,
+);
+
+fn current_objects(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    for given in &call.given {
+        let field = call.parameters[given.parameter].field;
+        let draft = interpreter.read_value(call, &field, given.argument, None)?;
+        if let Some(id) = draft.value.as_object() {
+            interpreter.database.make_current(id);
+        }
+    }
+    Ok(Flow::Next)
+}
+
+pub const COORDINATE_SYSTEM: VerbEntry = entry(
+    Verb {
+        path: "defaults coordinate_system",
+        fields: &[Field::object("default_coordinate_system", "frame").doc("frame in which locations are read")],
+        rules: &[],
+        doc: "frame in which locations and orientations are read",
+    },
+    coordinate_system,
+);
+
+fn coordinate_system(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    let Some(id) = interpreter.object_argument(call, "default_coordinate_system")? else {
+        return Err(vec![call.missing(&["default_coordinate_system"])]);
+    };
+    interpreter.database.change_settings(|s| s.default_frame = Some(id));
+    Ok(Flow::Next)
+}
+
+const PLANES: &[&str] = &[
+    "x_axis_xy_plane", "x_axis_xz_plane", "y_axis_yz_plane", "y_axis_xy_plane", "z_axis_xz_plane", "z_axis_yz_plane",
+    "y_axis_yx_plane", "x_axis_zx_plane", "z_axis_zx_plane", "z_axis_zy_plane",
+];
+
+pub const ORIENT_AXIS_AND_PLANE: VerbEntry = entry(
+    Verb {
+        path: "defaults orient_axis_and_plane",
+        fields: &[Field::choice("axis_and_plane_setting", PLANES).doc("axis that is aimed, and plane")],
+        rules: &[],
+        doc: "which axis aiming parameters aim",
+    },
+    keep_words,
+);
+
+const SWITCH: &[&str] = &["on", "off", "no_opinion", "toggle"];
+
+pub const ATTRIBUTES: VerbEntry = entry(
+    Verb {
+        path: "defaults attributes",
+        fields: &[
+            Field::choice("inheritance", &["top_down", "bottom_up"]).doc("whose attribute counts"),
+            Field::choice("icon_visibility", SWITCH).doc("whether icons are drawn"),
+            Field::choice("grid_visibility", SWITCH).doc("whether the grid is drawn"),
+            Field::real("scale_of_icons", Dimension::NONE).doc("size of icons as a factor"),
+            Field::real("size_of_icons", Dimension::LENGTH).doc("size of icons"),
+            Field::real("spacing_for_grid", Dimension::LENGTH).doc("distance of grid lines"),
+            Field::text("color").doc("colour"),
+            Field::choice("visibility", SWITCH).doc("whether objects are drawn"),
+            Field::choice("name_visibility", SWITCH).doc("whether names are drawn"),
+            Field::integer("transparency").doc("how much shines through, 0 to 100"),
+            Field::integer("lod").doc("level of detail, 0 to 100"),
+            Field::choice("line_type", &["solid", "dash", "dotdash", "dot", "none"]).doc("pattern of lines"),
+            Field::real("line_thickness", Dimension::NONE).doc("width of lines"),
+        ],
+        rules: &[Rule::AtMostOne(&["scale_of_icons", "size_of_icons"])],
+        doc: "how objects look unless they say otherwise",
+    },
+    keep_words,
+);
+
+pub const COMMAND_FILE: VerbEntry = entry(
+    Verb {
+        path: "defaults command_file",
+        fields: &[
+            Field::choice("on_error", &["continue_command", "ignore_command", "abort_file"])
+                .doc("what happens after a command that failed"),
+            Field::on_off("echo_commands").doc("write commands to the log"),
+            Field::on_off("update_screen").doc("draw while a file is read"),
+        ],
+        rules: &[],
+        doc: "how command files are read",
+    },
+    command_file,
+);
+
+fn command_file(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    match interpreter.word_of(call, "on_error")?.as_deref() {
+        Some("continue_command") => interpreter.on_error = OnError::ContinueCommand,
+        Some("ignore_command") => interpreter.on_error = OnError::IgnoreCommand,
+        Some(_) => interpreter.on_error = OnError::AbortFile,
+        None => {}
+    }
+    keep_words(interpreter, call)
+}
+
+const fn prefixes(path: &'static str, fields: &'static [Field]) -> VerbEntry {
+    entry(Verb { path, fields, rules: &[], doc: "prefixes of generated names" }, keep_words)
+}
+
+const fn prefix(name: &'static str) -> Field {
+    Field::text(name).doc("what generated names begin with")
+}
+
+pub const NAME_MARKER: VerbEntry =
+    prefixes("defaults name_generation marker", &[prefix("marker_prefix"), prefix("fmarker_prefix")]);
+pub const NAME_PART: VerbEntry =
+    prefixes("defaults name_generation part", &[prefix("part_prefix"), prefix("point_mass_prefix")]);
+pub const NAME_FORCE: VerbEntry = prefixes(
+    "defaults name_generation force",
+    &[prefix("beam_prefix"), prefix("sforce_prefix"), prefix("bushing_prefix"), prefix("spring_prefix")],
+);
+pub const NAME_CONSTRAINT: VerbEntry =
+    prefixes("defaults name_generation constraint", &[prefix("joint_prefix"), prefix("motion_prefix")]);
+pub const NAME_GEOMETRY: VerbEntry = prefixes(
+    "defaults name_generation geometry",
+    &[prefix("block_prefix"), prefix("cylinder_prefix"), prefix("link_prefix"), prefix("ellipsoid_prefix")],
+);
+pub const NAME_MODEL: VerbEntry = prefixes("defaults name_generation model", &[prefix("model_prefix")]);
+
+/// Keeps settings as they were given, by parameter.
+fn keep_words(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    for given in &call.given {
+        let parameter = &call.parameters[given.parameter];
+        debug_assert_eq!(parameter.role, Role::Field);
+        let field = parameter.field;
+        let draft = interpreter.read_value(call, &field, given.argument, None)?;
+        let text = match &draft.value {
+            Value::Flag(flag) => match field.kind {
+                schema::Kind::Boolean(yes, no) => (if *flag { yes } else { no }).to_string(),
+                _ => flag.to_string(),
+            },
+            // Lengths are kept in metres, so that a change of units does not change them.
+            Value::Number(x) => format!("{:?}", x * interpreter.database.units().factor(field.dimension)),
+            other => crate::values::text_of(other, &interpreter.database),
+        };
+        interpreter.database.change_settings(|s| {
+            s.words.insert(field.name.to_string(), text);
+        });
+    }
+    Ok(Flow::Next)
+}

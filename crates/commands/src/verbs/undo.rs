@@ -1,0 +1,74 @@
+//! `undo ...`: steps taken back and taken again, and blocks that count as one step.
+
+use schema::{Field, Verb};
+use text::Diagnostic;
+
+use super::{VerbEntry, entry};
+use crate::{Interpreter, call::Call, interpreter::Flow};
+
+type Outcome = Result<Flow, Vec<Diagnostic>>;
+
+const fn verb(path: &'static str, fields: &'static [Field], run: super::Run, doc: &'static str) -> VerbEntry {
+    entry(Verb { path, fields, rules: &[], doc }, run)
+}
+
+pub const BACKWARD: VerbEntry = verb("undo backward", &[], backward, "takes the last step back");
+pub const FORWARD: VerbEntry = verb("undo forward", &[], forward, "does the step taken back last again");
+pub const BEGIN_BLOCK: VerbEntry = verb(
+    "undo begin_block",
+    &[Field::yes_no("suppress").doc("forget how to take the block back")],
+    begin_block,
+    "begins commands that are one step",
+);
+pub const END_BLOCK: VerbEntry = verb("undo end_block", &[], end_block, "ends commands that are one step");
+pub const FLUSH: VerbEntry = verb("undo flush", &[], flush, "forgets all steps");
+pub const SET: VerbEntry =
+    verb("undo set", &[Field::integer("steps_stored").doc("steps kept")], set, "how many steps are kept");
+
+fn backward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    interpreter.names.forget();
+    if interpreter.database.undo() { Ok(Flow::Next) } else { nothing(call, "take back") }
+}
+
+fn forward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    interpreter.names.forget();
+    if interpreter.database.redo() { Ok(Flow::Next) } else { nothing(call, "do again") }
+}
+
+fn nothing(call: &Call, what: &str) -> Outcome {
+    Err(vec![Diagnostic::error("undo/nothing", format!("there is no step to {what}")).at(call.span, "nothing changed")])
+}
+
+fn begin_block(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    if interpreter.undo_blocks == 0 {
+        interpreter.database.finish_step();
+        interpreter.suppress_undo = interpreter.flag_argument(call, "suppress")? == Some(true);
+    }
+    interpreter.undo_blocks += 1;
+    Ok(Flow::Next)
+}
+
+fn end_block(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    if interpreter.undo_blocks == 0 {
+        return Err(vec![
+            Diagnostic::error("undo/no-block", "no undo block is open").at(call.span, "`undo begin_block` opens one"),
+        ]);
+    }
+    interpreter.undo_blocks -= 1;
+    if interpreter.undo_blocks == 0 && std::mem::take(&mut interpreter.suppress_undo) {
+        interpreter.database.forget_open_step();
+    }
+    Ok(Flow::Next)
+}
+
+fn flush(interpreter: &mut Interpreter, _: &Call) -> Outcome {
+    interpreter.database.flush_history();
+    Ok(Flow::Next)
+}
+
+fn set(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    if let Some(steps) = interpreter.number_argument(call, "steps_stored")? {
+        interpreter.database.limit_history(steps.max(0.0) as usize);
+    }
+    Ok(Flow::Next)
+}

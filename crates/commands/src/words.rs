@@ -1,0 +1,139 @@
+//! Matching of abbreviated words and guesses at misspelled ones.
+
+/// What an abbreviation may stand for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Match {
+    /// Index of the only candidate, or of the one that is spelled out.
+    One(usize),
+    /// Several candidates begin like this.
+    Many(Vec<usize>),
+    None,
+}
+
+/// Finds the candidate a word stands for: an exact match wins, otherwise a unique prefix.
+pub fn match_word<'a>(candidates: impl IntoIterator<Item = &'a str>, word: &str) -> Match {
+    let mut found = Vec::new();
+    for (i, candidate) in candidates.into_iter().enumerate() {
+        if candidate.len() >= word.len()
+            && candidate.as_bytes()[..word.len()].eq_ignore_ascii_case(word.as_bytes())
+        {
+            if candidate.len() == word.len() {
+                return Match::One(i);
+            }
+            found.push(i);
+        }
+    }
+    match found.as_slice() {
+        [] => Match::None,
+        [one] => Match::One(*one),
+        _ => Match::Many(found),
+    }
+}
+
+/// The candidate nearest to a misspelled word, if one is near enough to be meant.
+pub fn nearest<'a>(candidates: impl IntoIterator<Item = &'a str>, word: &str) -> Option<&'a str> {
+    let word = word.to_ascii_lowercase();
+    let allowed = (word.chars().count() / 3).max(1);
+    candidates
+        .into_iter()
+        .map(|c| (distance(&c.to_ascii_lowercase(), &word, allowed), c))
+        .filter(|(d, _)| *d <= allowed)
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}
+
+/// Edit distance with swaps of neighbours, cut off above `limit`.
+fn distance(a: &str, b: &str, limit: usize) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    if a.len().abs_diff(b.len()) > limit || a.len() > 64 || b.len() > 64 {
+        return limit + 1;
+    }
+    let mut rows = vec![vec![0usize; b.len() + 1]; a.len() + 1];
+    for (i, row) in rows.iter_mut().enumerate() {
+        row[0] = i;
+    }
+    for j in 0..=b.len() {
+        rows[0][j] = j;
+    }
+    for i in 1..=a.len() {
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            let mut best = (rows[i - 1][j] + 1).min(rows[i][j - 1] + 1).min(rows[i - 1][j - 1] + change);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = best;
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+/// Whether `name` matches a pattern with `*`, `?`, `[abc]` and `{a,b}`, ignoring case.
+pub fn glob(pattern: &str, name: &str) -> bool {
+    let pattern: Vec<char> = pattern.to_ascii_lowercase().chars().collect();
+    let name: Vec<char> = name.to_ascii_lowercase().chars().collect();
+    glob_at(&pattern, &name, 0)
+}
+
+fn glob_at(pattern: &[char], name: &[char], depth: usize) -> bool {
+    if depth > 200 {
+        return false;
+    }
+    match pattern.first() {
+        None => name.is_empty(),
+        Some('*') => (0..=name.len()).any(|skip| glob_at(&pattern[1..], &name[skip..], depth + 1)),
+        Some('?') => !name.is_empty() && glob_at(&pattern[1..], &name[1..], depth + 1),
+        Some('[') => {
+            let Some(close) = pattern.iter().position(|c| *c == ']') else { return false };
+            let Some(c) = name.first() else { return false };
+            let set = &pattern[1..close];
+            let inside = set.contains(c) || set.windows(3).any(|w| w[1] == '-' && (w[0]..=w[2]).contains(c));
+            inside && glob_at(&pattern[close + 1..], &name[1..], depth + 1)
+        }
+        Some('{') => {
+            let Some(close) = pattern.iter().position(|c| *c == '}') else { return false };
+            pattern[1..close].split(|c| *c == ',').any(|choice| {
+                let whole: Vec<char> = choice.iter().chain(&pattern[close + 1..]).copied().collect();
+                glob_at(&whole, name, depth + 1)
+            })
+        }
+        Some(c) => name.first() == Some(c) && glob_at(&pattern[1..], &name[1..], depth + 1),
+    }
+}
+
+/// Whether a name is a pattern.
+pub fn is_pattern(name: &str) -> bool {
+    let mut quoted = false;
+    name.chars().any(|c| {
+        quoted ^= c == '"';
+        !quoted && matches!(c, '*' | '?' | '[' | '{')
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_words_win_over_longer_ones() {
+        assert_eq!(match_word(["length_of", "length"], "length"), Match::One(1));
+        assert_eq!(match_word(["length", "location"], "l"), Match::Many(vec![0, 1]));
+        assert_eq!(match_word(["length", "location"], "LE"), Match::One(0));
+        assert_eq!(match_word(["length"], "lengths"), Match::None);
+    }
+
+    #[test]
+    fn misspelled_words_are_guessed_when_near() {
+        assert_eq!(nearest(["youngs_modulus", "length"], "young_modulus"), Some("youngs_modulus"));
+        assert_eq!(nearest(["youngs_modulus", "length"], "banana"), None);
+    }
+
+    #[test]
+    fn patterns_match_as_documented() {
+        assert!(glob("f?d", "FED"));
+        assert!(glob("left_*", "left_"));
+        assert!(glob("m[abc]x", "mbx") && !glob("m[abc]x", "mdx"));
+        assert!(glob("{a,b}1", "b1") && !glob("{a,b}1", "c1"));
+        assert!(!glob("[", "["));
+    }
+}
