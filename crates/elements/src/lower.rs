@@ -178,17 +178,15 @@ impl<'a> Lowering<'a> {
 
     /// The frame that a cell of an element names; reports a missing one under `code`.
     pub fn frame_cell(&mut self, object: ObjectId, cell: &str, code: &'static str) -> Option<FrameId> {
-        match self.database.reference(object, cell) {
-            Some(marker) => self.frame(marker),
-            None => {
-                let (name, word) = (self.name(object), word_of(self.database, object));
-                self.report(
-                    Diagnostic::error(code, format!("{word} `{name}` has no `{cell}`"))
-                        .help(format!("name a marker with `{cell} = ...`")),
-                );
-                None
-            }
+        if let Some(marker) = self.database.reference(object, cell) {
+            return self.frame(marker);
         }
+        let (name, word) = (self.name(object), word_of(self.database, object));
+        self.report(
+            Diagnostic::error(code, format!("{word} `{name}` has no `{cell}`"))
+                .help(format!("name a marker with `{cell} = ...`")),
+        );
+        None
     }
 
     pub fn body_of_frame(&self, frame: FrameId) -> BodyId {

@@ -132,7 +132,9 @@ fn redundant(system: &mut System) -> Vec<(String, &'static str, String)> {
             rest.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(unknown, value)| (*unknown, *value));
         match pivot {
             Some((unknown, value)) if value.abs() > 1e-8 * size => {
-                rest.values_mut().for_each(|x| *x /= value);
+                for x in rest.values_mut() {
+                    *x /= value;
+                }
                 reduced.add(unknown, rest);
             }
             _ => {

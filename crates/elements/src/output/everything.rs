@@ -33,6 +33,6 @@ pub(crate) fn complete(lowering: &mut Lowering<'_>) {
             vector::add_load(lowering, &set, element);
         }
     }
-    let time = Column::new("time".into(), Quantity::Time, Unit(lowering.units(), schema::Dimension::TIME));
+    let time = Column::new("time".into(), Quantity::Time, &Unit(lowering.units(), schema::Dimension::TIME));
     lowering.columns.insert(0, time);
 }

@@ -59,8 +59,11 @@ pub enum Polar {
     /// Angle about z from x.
     Azimuth,
     /// Angle from z.
-    Polar,
+    Inclination,
 }
+
+/// Who acts at a marker, from elements between it and another one.
+type AtMarkers = BTreeMap<(u32, Option<u32>), Vec<(LoadId, Side)>>;
 
 /// The columns of a run. Evaluation keeps track of angles so that they count whole turns.
 #[derive(Debug, Default)]
@@ -70,7 +73,7 @@ pub struct Outputs {
     branches: Vec<Vec<Branch>>,
     loads: BTreeMap<u32, LoadId>,
     /// Loads at markers: `(marker, other marker)` to who acts there.
-    at_markers: BTreeMap<(u32, Option<u32>), Vec<(LoadId, Side)>>,
+    at_markers: AtMarkers,
 }
 
 /// The last value of an angle, from which the next is expected.
@@ -185,7 +188,7 @@ struct Instant<'a> {
     state: &'a State,
     lambda: &'a [f64],
     loads: &'a BTreeMap<u32, LoadId>,
-    at: &'a BTreeMap<(u32, Option<u32>), Vec<(LoadId, Side)>>,
+    at: &'a AtMarkers,
 }
 
 impl Instant<'_> {
@@ -209,7 +212,7 @@ impl Instant<'_> {
                     Polar::Radius => radius,
                     Polar::Distance => vector.length(),
                     Polar::Azimuth => vector.y.atan2(vector.x),
-                    Polar::Polar => radius.atan2(vector.z),
+                    Polar::Inclination => radius.atan2(vector.z),
                 }
             }
             Quantity::KineticEnergy { body, translation, rotation } => {
@@ -320,8 +323,8 @@ pub(crate) fn ends_of(
 
 impl Column {
     /// Units and factor from a dimension.
-    pub(crate) fn new(name: String, quantity: Quantity, unit: Unit<'_>) -> Column {
-        let Unit(units, dimension) = unit;
+    pub(crate) fn new(name: String, quantity: Quantity, unit: &Unit<'_>) -> Column {
+        let Unit(units, dimension) = *unit;
         Column { name, unit: units.label(dimension), quantity, factor: 1.0 / units.factor(dimension) }
     }
 

@@ -99,7 +99,7 @@ pub(crate) fn add_motion(lowering: &mut Lowering<'_>, set: &str, frame: FrameId)
 
 /// Adds one column.
 pub(crate) fn add(lowering: &mut Lowering<'_>, name: String, quantity: Quantity, dimension: Dimension) {
-    let column = Column::new(name, quantity, Unit(lowering.units(), dimension));
+    let column = Column::new(name, quantity, &Unit(lowering.units(), dimension));
     lowering.columns.push(column);
 }
 
@@ -116,7 +116,7 @@ pub(crate) fn add_measure(lowering: &mut Lowering<'_>, object: model::ObjectId, 
         "r_component" => (polar(Polar::Radius), vector.dimension()),
         "rho_component" => (polar(Polar::Distance), vector.dimension()),
         "theta_component" => (polar(Polar::Azimuth), Dimension::ANGLE),
-        "phi_component" => (polar(Polar::Polar), Dimension::ANGLE),
+        "phi_component" => (polar(Polar::Inclination), Dimension::ANGLE),
         _ => (one(Component::Magnitude), vector.dimension()),
     };
     add(lowering, name, quantity, dimension);

@@ -60,7 +60,9 @@ pub fn of_state(measure: &Measure) -> bool {
 /// Frames a measure looks at.
 pub fn frames(measure: &Measure) -> Vec<FrameId> {
     let ids = match *measure {
-        Measure::Displacement { i, j, k, .. } | Measure::AngularVelocity { i, j, k, .. } => [Some(i), j, k, None],
+        Measure::Displacement { i, j, k, .. }
+        | Measure::AngularVelocity { i, j, k, .. }
+        | Measure::MarkerLoad { i, j, k, .. } => [Some(i), j, k, None],
         Measure::Angle { i, j, .. } | Measure::EulerAngle { i, j, .. } => [Some(i), j, None, None],
         Measure::IncludedAngle { i, j, k } => [Some(i), Some(j), Some(k), None],
         Measure::Velocity { i, j, k, l, .. }
@@ -68,7 +70,6 @@ pub fn frames(measure: &Measure) -> Vec<FrameId> {
         | Measure::AngularAcceleration { i, j, k, l, .. } => [Some(i), j, k, l],
         Measure::RadialVelocity { i, j, l } => [Some(i), j, l, None],
         Measure::Load { rm, .. } => [rm, None, None, None],
-        Measure::MarkerLoad { i, j, k, .. } => [Some(i), j, k, None],
     };
     ids.into_iter().flatten().map(FrameId).collect()
 }

@@ -83,13 +83,10 @@ pub fn proportional_damping(stiffness: &Mat6, ratio: f64) -> Mat6 {
 /// The symmetric matrix of which `terms` is the lower triangle by columns: C11 C21 .. C61, C22 ..
 pub fn from_lower_triangle(terms: &[f64; 21]) -> Mat6 {
     let mut matrix = ZERO;
-    let mut next = 0;
-    for column in 0..6 {
-        for row in column..6 {
-            matrix[row][column] = terms[next];
-            matrix[column][row] = terms[next];
-            next += 1;
-        }
+    let places = (0..6).flat_map(|column| (column..6).map(move |row| (row, column)));
+    for ((row, column), term) in places.zip(terms) {
+        matrix[row][column] = *term;
+        matrix[column][row] = *term;
     }
     matrix
 }

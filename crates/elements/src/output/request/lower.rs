@@ -71,6 +71,9 @@ fn unit_of(lowering: &Lowering<'_>, request: ObjectId, n: usize) -> String {
         .map_or(String::new(), |word| vector::label_of(lowering, word))
 }
 
+const TRANSLATION: [&str; 4] = ["X", "Y", "Z", "MAG"];
+const ROTATION: [&str; 4] = ["R1", "R2", "R3", "RMAG"];
+
 /// `X Y Z MAG R1 R2 R3 RMAG` of two markers.
 fn of_markers(lowering: &mut Lowering<'_>, request: ObjectId, set: &str, kind: &str) {
     let Some(i) = lowering.frame_cell(request, "i_marker_name", "request/no-marker") else { return };
@@ -78,8 +81,6 @@ fn of_markers(lowering: &mut Lowering<'_>, request: ObjectId, set: &str, kind: &
     let k = vector::optional_frame(lowering, request, "r_marker_name");
     let l = vector::optional_frame(lowering, request, "motion_rframe");
     let markers = Markers { i: i.0, j, k, l };
-    const TRANSLATION: [&str; 4] = ["X", "Y", "Z", "MAG"];
-    const ROTATION: [&str; 4] = ["R1", "R2", "R3", "RMAG"];
     let (first, second) = match kind {
         "displacement" => {
             vector::add_vector(lowering, set, &TRANSLATION, Vector::Displacement, markers);
