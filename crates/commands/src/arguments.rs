@@ -44,11 +44,7 @@ impl Interpreter {
     }
 
     /// A text as it is meant, without the quoting of names.
-    pub(crate) fn text_argument_plain(
-        &mut self,
-        call: &Call,
-        argument: &syntax::command::Argument,
-    ) -> Outcome<String> {
+    pub(crate) fn text_argument_plain(&mut self, call: &Call, argument: &syntax::command::Argument) -> Outcome<String> {
         match call.plain_text(argument) {
             Some(text) => Ok(text),
             None => self.text_argument(call, argument),

@@ -1,6 +1,9 @@
 //! Which statements open, part and close blocks.
 
-use crate::{program::Program, words::{Match, match_word}};
+use crate::{
+    program::Program,
+    words::{Match, match_word},
+};
 
 /// What a statement does to the flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

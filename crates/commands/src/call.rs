@@ -77,14 +77,8 @@ impl<'p> Call<'p> {
                 Match::None => errors.push(unknown_argument(&command.path, &command.parameters, typed, argument.name)),
             }
         }
-        let call = Call {
-            program,
-            keywords,
-            span,
-            path: command.path.clone(),
-            parameters: command.parameters.clone(),
-            given,
-        };
+        let call =
+            Call { program, keywords, span, path: command.path.clone(), parameters: command.parameters.clone(), given };
         for rule in rules {
             call.check_rule(rule, creating, &mut errors);
         }
@@ -206,10 +200,9 @@ pub fn match_parameter(parameters: &[Parameter], typed: &str) -> Match {
 }
 
 fn unknown_argument(path: &str, parameters: &[Parameter], typed: &str, span: Span) -> Diagnostic {
-    let mut error =
-        Diagnostic::error("command/unknown-argument", format!("`{path}` has no parameter `{typed}`"))
-            .at(span, "unknown parameter")
-            .adams(format!("'{typed}' is not a valid parameter."));
+    let mut error = Diagnostic::error("command/unknown-argument", format!("`{path}` has no parameter `{typed}`"))
+        .at(span, "unknown parameter")
+        .adams(format!("'{typed}' is not a valid parameter."));
     if let Some(guess) = nearest(parameters.iter().map(|p| &*p.name), typed) {
         error = error.fix(format!("did you mean `{guess}`?"), span, guess);
     } else if parameters.len() <= 30 && !parameters.is_empty() {

@@ -261,22 +261,25 @@ impl Interpreter {
     }
 
     fn objects_of_loop(&mut self, call: &Call) -> Result<Vec<ObjectId>, Vec<Diagnostic>> {
-        let mut found = if let (Some(argument), Some(field)) = (call.argument("object_names"), call.field("object_names"))
-        {
-            let field = *field;
-            match self.read_value(call, &field, argument, None) {
-                Ok(draft) => draft.value.objects(),
-                // A pattern that matches nothing makes an empty loop.
-                Err(errors) if errors.iter().all(|e| e.message.contains("matches")) => Vec::new(),
-                Err(errors) => return Err(errors),
-            }
-        } else if let (Some(argument), Some(field)) = (call.argument("group_name"), call.field("group_name")) {
-            let field = *field;
-            let groups = self.read_value(call, &field, argument, None)?.value.objects();
-            groups.iter().flat_map(|g| self.database.value(*g, "objects_in_group").map(Value::objects).unwrap_or_default()).collect()
-        } else {
-            return Err(vec![call.missing(&["start_value", "object_names", "group_name"])]);
-        };
+        let mut found =
+            if let (Some(argument), Some(field)) = (call.argument("object_names"), call.field("object_names")) {
+                let field = *field;
+                match self.read_value(call, &field, argument, None) {
+                    Ok(draft) => draft.value.objects(),
+                    // A pattern that matches nothing makes an empty loop.
+                    Err(errors) if errors.iter().all(|e| e.message.contains("matches")) => Vec::new(),
+                    Err(errors) => return Err(errors),
+                }
+            } else if let (Some(argument), Some(field)) = (call.argument("group_name"), call.field("group_name")) {
+                let field = *field;
+                let groups = self.read_value(call, &field, argument, None)?.value.objects();
+                groups
+                    .iter()
+                    .flat_map(|g| self.database.value(*g, "objects_in_group").map(Value::objects).unwrap_or_default())
+                    .collect()
+            } else {
+                return Err(vec![call.missing(&["start_value", "object_names", "group_name"])]);
+            };
         if let Some(argument) = call.argument("type_filter") {
             let wanted = self.text_argument(call, argument)?.to_ascii_lowercase();
             found.retain(|id| {

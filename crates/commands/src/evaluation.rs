@@ -25,11 +25,10 @@ pub fn evaluate(
 ) -> Result<Outcome, Vec<Diagnostic>> {
     let scope = Scope { owner, ..Scope::new(database, sources) };
     match expressions::bind(expression, &scope)? {
-        Bound::Value(e) => {
-            Ok(Outcome { value: e.value, dimension: e.dimension, kept: None, reads: Vec::new() })
-        }
+        Bound::Value(e) => Ok(Outcome { value: e.value, dimension: e.dimension, kept: None, reads: Vec::new() }),
         Bound::Expression(bound) => {
-            let e = expressions::evaluate(&bound, &scope).map_err(|e| vec![e.or_at(expression.span, "in this expression")])?;
+            let e = expressions::evaluate(&bound, &scope)
+                .map_err(|e| vec![e.or_at(expression.span, "in this expression")])?;
             Ok(Outcome { value: e.value, dimension: e.dimension, kept: Some(bound), reads: e.reads })
         }
     }

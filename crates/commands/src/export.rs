@@ -89,7 +89,10 @@ impl Writer<'_> {
             arguments.push(word("units_consistency_factor", &number::real(factor)));
         }
         self.command("defaults units", &arguments);
-        self.command("defaults units", &[word("coordinate_system_type", "cartesian"), word("orientation_type", "body313")]);
+        self.command(
+            "defaults units",
+            &[word("coordinate_system_type", "cartesian"), word("orientation_type", "body313")],
+        );
         self.banner("Default Attributes for Model");
         let mut attributes = Vec::new();
         for (name, default) in
@@ -188,7 +191,8 @@ impl Writer<'_> {
         ];
         let mut rest = self.children(model, |c| !done(c));
         for (title, belongs) in sections {
-            let (now, later): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| belongs(self.database.object(*id).class));
+            let (now, later): (Vec<_>, Vec<_>) =
+                rest.into_iter().partition(|id| belongs(self.database.object(*id).class));
             rest = later;
             if now.is_empty() {
                 continue;

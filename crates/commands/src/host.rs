@@ -72,12 +72,7 @@ pub trait Host: Send {
     fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>>;
 
     /// Writes the solver data set of a model; ids that were 0 are assigned and kept.
-    fn write_data_set(
-        &mut self,
-        database: &mut Database,
-        model: ObjectId,
-        path: &Path,
-    ) -> Result<(), Vec<Diagnostic>>;
+    fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>>;
 
     /// Reads a solver data set as a new model of that name (or of the file's name).
     fn read_data_set(

@@ -87,6 +87,8 @@ pub struct Interpreter {
     pub(crate) macros: Macros,
     /// Statements whose files or macros are being read, outermost first.
     pub(crate) trace: Vec<Span>,
+    /// Names of objects that skipped commands would have made, in lower case.
+    pub(crate) unmade: std::collections::HashSet<String>,
     pub(crate) undo_blocks: usize,
     pub(crate) suppress_undo: bool,
     /// Depth of blocks, for the journal; negative in the journal while skipping.
@@ -120,6 +122,7 @@ impl Interpreter {
             names: Names::default(),
             macros: Macros::default(),
             trace: Vec::new(),
+            unmade: std::collections::HashSet::new(),
             undo_blocks: 0,
             suppress_undo: false,
             block_depth: 0,
@@ -270,7 +273,8 @@ impl Interpreter {
                 self.report.interrupted = true;
                 let span = program.statements[at].statement.span;
                 self.complain(vec![
-                    Diagnostic::error("command/interrupted", "interrupted before this command").at(span, "not executed"),
+                    Diagnostic::error("command/interrupted", "interrupted before this command")
+                        .at(span, "not executed"),
                 ]);
                 return Flow::Abort;
             }
@@ -301,8 +305,6 @@ impl Interpreter {
 
 /// The complaint about a file that cannot be read.
 pub(crate) fn cannot_read(path: &Path, error: &std::io::Error) -> Diagnostic {
-    Diagnostic::error("file/cannot-read", format!("cannot read `{}`: {error}", path.display())).adams(format!(
-        "Adams/View could not open the command file '{}' for reading.",
-        path.display()
-    ))
+    Diagnostic::error("file/cannot-read", format!("cannot read `{}`: {error}", path.display()))
+        .adams(format!("Adams/View could not open the command file '{}' for reading.", path.display()))
 }

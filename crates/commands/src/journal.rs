@@ -139,7 +139,8 @@ impl Journal {
     ) {
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
         self.lines.push(RULE.into());
-        self.lines.push(format!("! ERROR:  Error detected on line number {}, character {column} of {name}.", faulty + 1));
+        self.lines
+            .push(format!("! ERROR:  Error detected on line number {}, character {column} of {name}.", faulty + 1));
         for line in texts(error) {
             self.lines.push(format!("! ERROR:  {line}"));
         }

@@ -34,7 +34,10 @@ pub const KEYWORDS: &[(&str, &str)] = &[
         "constraint create joint",
         "rigid translational revolute cylindrical universal spherical planar rackpin screw convel fixed hooke",
     ),
-    ("constraint create primitive_joint", "at_point inline inplane orientation parallel_axis perpendicular point_point"),
+    (
+        "constraint create primitive_joint",
+        "at_point inline inplane orientation parallel_axis perpendicular point_point",
+    ),
     ("part", "create modify merge delete copy display attributes"),
     (
         "part create",
@@ -49,10 +52,7 @@ pub const KEYWORDS: &[(&str, &str)] = &[
         "block cylinder ellipsoid frustum revolution extrusion torus link csg plate shell nurb_surf plane \
          face solid solid_shell spring_damper force picture gcontact",
     ),
-    (
-        "geometry create curve",
-        "outline arc circle ellipse bspline chain polyline nurb_curve point_trace curve_trace",
-    ),
+    ("geometry create curve", "outline arc circle ellipse bspline chain polyline nurb_curve point_trace curve_trace"),
     ("data_element create", "curve spline variable array matrix plant string"),
     ("data_element create array", "x_state_array u_input_array y_output_array ic_array general_array"),
     ("data_element create matrix", "full sparse file"),
@@ -119,7 +119,10 @@ pub const KEYWORDS: &[(&str, &str)] = &[
         "constraint modify joint",
         "rigid translational revolute cylindrical universal spherical planar rackpin screw convel fixed hooke",
     ),
-    ("constraint modify primitive_joint", "at_point inline inplane orientation parallel_axis perpendicular point_point"),
+    (
+        "constraint modify primitive_joint",
+        "at_point inline inplane orientation parallel_axis perpendicular point_point",
+    ),
     (
         "part modify",
         "rigid_body fe_part flexible_body external_system point_mass equation new_ground stress_body particle \
@@ -132,10 +135,7 @@ pub const KEYWORDS: &[(&str, &str)] = &[
         "block cylinder ellipsoid frustum revolution extrusion torus link csg plate shell nurb_surf plane \
          face solid solid_shell spring_damper force picture gcontact",
     ),
-    (
-        "geometry modify curve",
-        "outline arc circle ellipse bspline chain polyline nurb_curve point_trace curve_trace",
-    ),
+    ("geometry modify curve", "outline arc circle ellipse bspline chain polyline nurb_curve point_trace curve_trace"),
     ("data_element modify", "curve spline variable array matrix plant string"),
     ("data_element modify array", "x_state_array u_input_array y_output_array ic_array general_array"),
     ("data_element modify matrix", "full sparse file"),

@@ -173,16 +173,18 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
             .filter(|o| !last || o.class.is(wanted))
             .map(|o| o.name.as_str())
             .collect();
-        let mut error = Diagnostic::error("name/not-found", match parent {
-            Some(p) => format!("there is no {lower} `{name}`: `{}` has no `{step}`", database.full_name(p)),
-            None => format!("there is no {lower} `{name}`: nothing is named `.{step}`"),
-        })
+        let mut error = Diagnostic::error(
+            "name/not-found",
+            match parent {
+                Some(p) => format!("there is no {lower} `{name}`: `{}` has no `{step}`", database.full_name(p)),
+                None => format!("there is no {lower} `{name}`: nothing is named `.{step}`"),
+            },
+        )
         .at(span, "not found")
         .adams(match parent {
-            Some(p) => format!(
-                "No {word} was found because '{step}' does not exist beneath '{}'.",
-                database.full_name(p)
-            ),
+            Some(p) => {
+                format!("No {word} was found because '{step}' does not exist beneath '{}'.", database.full_name(p))
+            }
             None => format!("No {word} named '{step}' was found."),
         });
         if let Some(other) = database.child(parent, step, "any") {
@@ -257,7 +259,9 @@ pub fn new_name(
         let next = candidates
             .iter()
             .copied()
-            .find(|c| !last || class.parents.iter().any(|p| database.object(*c).class.is(p)) || holds_anything(database, *c))
+            .find(|c| {
+                !last || class.parents.iter().any(|p| database.object(*c).class.is(p)) || holds_anything(database, *c)
+            })
             .or_else(|| if last { None } else { candidates.first().copied() });
         let Some(next) = next else {
             let word = class.word;
@@ -283,11 +287,10 @@ pub fn new_name(
                     "No {word} was found because '{step}' does not exist beneath '{}'.",
                     database.full_name(p)
                 )),
-                None => Diagnostic::error(
-                    "name/no-parent",
-                    format!("`{typed}` has no place: nothing is named `.{step}`"),
-                )
-                .adams(format!("No {word} named '{step}' was found.")),
+                None => {
+                    Diagnostic::error("name/no-parent", format!("`{typed}` has no place: nothing is named `.{step}`"))
+                        .adams(format!("No {word} named '{step}' was found."))
+                }
             }
             .at(span, "create what it belongs to first");
             let siblings = parent.map_or_else(|| database.roots().to_vec(), |p| database.object(p).children.clone());
@@ -308,10 +311,13 @@ pub fn new_name(
 
 fn no_parent(class: &Class, typed: &str, span: Span) -> Diagnostic {
     let parents = class.parents.join(" or ");
-    Diagnostic::error("name/no-parent", format!("the {} `{typed}` has no place: there is no {parents}", class.word.to_lowercase()))
-        .at(span, format!("must be below a {parents}"))
-        .help(format!("create a {} first, or write the full name", class.parents.first().unwrap_or(&"model")))
-        .adams("Invalid input. Enter return or a parameter.")
+    Diagnostic::error(
+        "name/no-parent",
+        format!("the {} `{typed}` has no place: there is no {parents}", class.word.to_lowercase()),
+    )
+    .at(span, format!("must be below a {parents}"))
+    .help(format!("create a {} first, or write the full name", class.parents.first().unwrap_or(&"model")))
+    .adams("Invalid input. Enter return or a parameter.")
 }
 
 fn bad_name(typed: &str, span: Span) -> Diagnostic {

@@ -131,7 +131,8 @@ impl Interpreter {
     pub(crate) fn call_macro(&mut self, id: ObjectId, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
         if self.database.get(id).is_none() {
             return Err(vec![
-                Diagnostic::error("macro/gone", "this macro does not exist any more").at(call.keywords, "was undone or deleted"),
+                Diagnostic::error("macro/gone", "this macro does not exist any more")
+                    .at(call.keywords, "was undone or deleted"),
             ]);
         }
         let Some(known) = self.macros.known.get(&id).cloned() else { return Ok(Flow::Next) };
@@ -180,9 +181,12 @@ impl Interpreter {
                 (a, b) => format!("{a} to {b}"),
             };
             return Err(vec![
-                Diagnostic::error("command/wrong-count", format!("`{}` wants {wanted} values, not {count}", formal.name))
-                    .at(argument.value_span, format!("{count} given"))
-                    .adams(format!("{wanted} values are required for '{}'.", formal.name)),
+                Diagnostic::error(
+                    "command/wrong-count",
+                    format!("`{}` wants {wanted} values, not {count}", formal.name),
+                )
+                .at(argument.value_span, format!("{count} given"))
+                .adams(format!("{wanted} values are required for '{}'.", formal.name)),
             ]);
         }
         let mut texts = Vec::new();
@@ -209,9 +213,12 @@ impl Interpreter {
             return match match_word(words.iter().copied(), typed) {
                 Match::One(i) => Ok(words[i].to_string()),
                 _ => Err(vec![
-                    Diagnostic::error("command/unknown-word", format!("`{typed}` is not a choice for `{}`", formal.name))
-                        .at(span, format!("wants {}", words.join(", ")))
-                        .adams(format!("'{typed}' is not a valid choice for '{}'.", formal.name)),
+                    Diagnostic::error(
+                        "command/unknown-word",
+                        format!("`{typed}` is not a choice for `{}`", formal.name),
+                    )
+                    .at(span, format!("wants {}", words.join(", ")))
+                    .adams(format!("'{typed}' is not a valid choice for '{}'.", formal.name)),
                 ]),
             };
         }
@@ -265,7 +272,11 @@ impl Interpreter {
     /// `macro read`: makes or replaces a macro from a file.
     pub(crate) fn read_macro(&mut self, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
         let (Some(name), Some(file)) = (call.argument("macro_name"), call.argument("file_name")) else {
-            return Err(vec![call.missing(&[if call.argument("macro_name").is_none() { "macro_name" } else { "file_name" }])]);
+            return Err(vec![call.missing(&[if call.argument("macro_name").is_none() {
+                "macro_name"
+            } else {
+                "file_name"
+            }])]);
         };
         let file_name = self.text_argument_plain(call, file)?;
         let path = self.host.resolve(&file_name);
@@ -280,7 +291,13 @@ impl Interpreter {
             Some(id) => id,
             None => {
                 let place = lookup::new_name(&self.database, &self.registry, &CLASS, &typed, name.value_span)
-                    .or_else(|e| if typed.contains('.') { Err(e) } else { Ok(lookup::NewName { parent: None, name: typed.clone() }) })
+                    .or_else(|e| {
+                        if typed.contains('.') {
+                            Err(e)
+                        } else {
+                            Ok(lookup::NewName { parent: None, name: typed.clone() })
+                        }
+                    })
                     .map_err(|e| vec![e])?;
                 self.database
                     .create(&CLASS, place.parent, &place.name)
@@ -435,7 +452,8 @@ mod tests {
 
     #[test]
     fn parameters_are_declared_by_their_first_use() {
-        let formals = find_formals("!$size:t=real:d=1.5:gt=0\nforce attributes size_of_icons = $size name=$'f:t=force'_x \\$no");
+        let formals =
+            find_formals("!$size:t=real:d=1.5:gt=0\nforce attributes size_of_icons = $size name=$'f:t=force'_x \\$no");
         assert_eq!(formals.len(), 2);
         assert_eq!(formals[0].default.as_deref(), Some("1.5"));
         assert_eq!(formals[0].bounds, vec![(Bound::Above, 0.0)]);

@@ -80,9 +80,10 @@ impl Names {
             }
         }
         let table = self.ids.entry(id_key(database, id)).or_default();
-        let holder = table.get(&number).copied().filter(|h| {
-            *h != id && database.get(*h).is_some() && database.integer(*h, "adams_id") == Some(number)
-        });
+        let holder = table
+            .get(&number)
+            .copied()
+            .filter(|h| *h != id && database.get(*h).is_some() && database.integer(*h, "adams_id") == Some(number));
         if holder.is_none() {
             table.insert(number, id);
         }

@@ -256,7 +256,9 @@ impl Interpreter {
     /// Stores location and orientation in the frame of the parent.
     fn place(&mut self, id: ObjectId, call: &Call, changed: &mut Vec<CellKey>) -> Outcome<()> {
         let class = self.database.object(id).class;
-        if !is_placed(class) || !call.given.iter().any(|g| place::PLACING.contains(&&*call.parameters[g.parameter].name)) {
+        if !is_placed(class)
+            || !call.given.iter().any(|g| place::PLACING.contains(&&*call.parameters[g.parameter].name))
+        {
             return Ok(());
         }
         let parent = self.database.object(id).parent;
@@ -369,9 +371,12 @@ impl Interpreter {
         if call.argument("mass").is_some() && self.database.reference(id, "center_of_mass_marker").is_none() {
             let name = self.database.full_name(id);
             self.report.diagnostics.push(
-                Diagnostic::warning("part/no-center-of-mass", format!("`{name}` has mass but no centre-of-mass marker"))
-                    .at(call.span, "its centre of mass is taken at its origin")
-                    .adams(format!("Part {name} has mass but no center-of-mass marker is specified.")),
+                Diagnostic::warning(
+                    "part/no-center-of-mass",
+                    format!("`{name}` has mass but no centre-of-mass marker"),
+                )
+                .at(call.span, "its centre of mass is taken at its origin")
+                .adams(format!("Part {name} has mass but no center-of-mass marker is specified.")),
             );
         }
     }

@@ -75,24 +75,25 @@ pub fn read(
         finish(&mut draft, &frame_reads);
         placement.location = Some(draft);
     }
-    placement.orientation = if let (Some(argument), Some(field)) = (call.argument("orientation"), call.field("orientation")) {
-        let field = *field;
-        let mut draft = reader.read(&field, argument)?;
-        let numbers = draft.value.as_numbers().unwrap_or_default();
-        let sequence = if body_313(argument) { Sequence::BODY_313 } else { database.settings().sequence };
-        // Angles that need no conversion are stored as typed.
-        if convert.rotation != DMat3::IDENTITY || sequence != Sequence::BODY_313 {
-            let angle = database.units().angle.si;
-            let typed = rotation_of(sequence, vector(&numbers).to_array().map(|a| a * angle));
-            draft.value = angles_value(database, &(convert.rotation * typed));
+    placement.orientation =
+        if let (Some(argument), Some(field)) = (call.argument("orientation"), call.field("orientation")) {
+            let field = *field;
+            let mut draft = reader.read(&field, argument)?;
+            let numbers = draft.value.as_numbers().unwrap_or_default();
+            let sequence = if body_313(argument) { Sequence::BODY_313 } else { database.settings().sequence };
+            // Angles that need no conversion are stored as typed.
+            if convert.rotation != DMat3::IDENTITY || sequence != Sequence::BODY_313 {
+                let angle = database.units().angle.si;
+                let typed = rotation_of(sequence, vector(&numbers).to_array().map(|a| a * angle));
+                draft.value = angles_value(database, &(convert.rotation * typed));
+            } else {
+                draft.value = Value::Array(Array::column(vector(&numbers).to_array().to_vec()));
+            }
+            finish(&mut draft, &frame_reads);
+            Some(draft)
         } else {
-            draft.value = Value::Array(Array::column(vector(&numbers).to_array().to_vec()));
-        }
-        finish(&mut draft, &frame_reads);
-        Some(draft)
-    } else {
-        aimed(reader, call, &convert, origin)?
-    };
+            aimed(reader, call, &convert, origin)?
+        };
     Ok(placement)
 }
 
@@ -140,12 +141,7 @@ fn angles_value(database: &Database, rotation: &DMat3) -> Value {
 }
 
 /// Axes aimed at points; the axes in question are those of `defaults orient_axis_and_plane`.
-fn aimed(
-    reader: &mut Reader,
-    call: &Call,
-    convert: &Pose,
-    origin: DVec3,
-) -> Result<Option<Draft>, Vec<Diagnostic>> {
+fn aimed(reader: &mut Reader, call: &Call, convert: &Pose, origin: DVec3) -> Result<Option<Draft>, Vec<Diagnostic>> {
     let database = reader.database;
     let setting = database.settings().words.get("axis_and_plane_setting").map_or("z_axis_xz_plane", String::as_str);
     let (first, second) = axes(setting);

@@ -42,9 +42,29 @@ impl Interpreter {
                 self.database.roll_back(mark);
                 self.names.forget();
                 self.trace_warnings(before);
+                if self.is_consequence(program, &errors) {
+                    self.report.skipped += 1;
+                    let warnings = errors.into_iter().map(|e| Diagnostic {
+                        severity: text::Severity::Warning,
+                        adams_text: Vec::new(),
+                        ..e.note("skipped, because the command that makes it is not executed by Flexure")
+                    });
+                    let warnings = warnings.collect();
+                    self.complain(warnings);
+                    return Flow::Next;
+                }
                 self.failed(errors)
             }
         }
+    }
+
+    /// Whether a command failed only because it names what a skipped command would have made.
+    fn is_consequence(&self, program: &Program, errors: &[Diagnostic]) -> bool {
+        !self.unmade.is_empty()
+            && errors.iter().all(|e| {
+                let named = e.primary.as_ref().map(|l| program.word(l.span).to_ascii_lowercase());
+                e.code == "name/not-found" && named.is_some_and(|n| self.unmade.contains(&n))
+            })
     }
 
     /// Counts a failed command and decides whether its file goes on.
@@ -128,9 +148,7 @@ impl Interpreter {
                 .adams(format!("'{}' is not a valid parameter.", words[at])),
             ]),
             Path::Incomplete { next } => match arguments.first() {
-                Some(argument) => {
-                    Err(vec![unknown_keyword(program.word(argument.name), argument.name, &words, &next)])
-                }
+                Some(argument) => Err(vec![unknown_keyword(program.word(argument.name), argument.name, &words, &next)]),
                 None => Err(vec![
                     Diagnostic::error("command/incomplete", format!("`{}` is not complete", words.join(" ")))
                         .at(span, "a keyword is missing")
@@ -212,6 +230,11 @@ impl Interpreter {
                 return Err(errors);
             }
             self.not_supported(&command.path, span);
+            // What this would have made is missing for the commands that follow.
+            if command.path.contains("create") {
+                let names = arguments.iter().filter(|a| program.word(a.name).contains("name"));
+                self.unmade.extend(names.take(1).map(|a| program.word(a.value_span).to_ascii_lowercase()));
+            }
             return Ok(Flow::Skipped);
         }
         let call = self.bind(program, span, keywords, &command, arguments, errors)?;

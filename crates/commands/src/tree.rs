@@ -75,12 +75,22 @@ pub struct CommandTree {
 pub enum Path {
     Found(Command),
     /// Word number `at` is unknown there; `near` is what may follow.
-    Unknown { at: usize, near: Vec<String> },
-    Ambiguous { at: usize, candidates: Vec<String> },
+    Unknown {
+        at: usize,
+        near: Vec<String>,
+    },
+    Ambiguous {
+        at: usize,
+        candidates: Vec<String>,
+    },
     /// A complete command is followed by a further word.
-    Surplus { at: usize },
+    Surplus {
+        at: usize,
+    },
     /// More keywords are needed behind the last one.
-    Incomplete { next: Vec<String> },
+    Incomplete {
+        next: Vec<String>,
+    },
 }
 
 impl CommandTree {
@@ -264,8 +274,7 @@ fn set_parameters(path: &str, groups: &[ClassGroup]) -> Vec<Parameter> {
         if known(&list, group.object) {
             continue;
         }
-        let classes: Vec<&Class> =
-            groups.iter().filter(|(_, g)| g.object == group.object).map(|(c, _)| *c).collect();
+        let classes: Vec<&Class> = groups.iter().filter(|(_, g)| g.object == group.object).map(|(c, _)| *c).collect();
         let mut field = Field::new(group.object, Kind::Object(Names::Old, common_family(&classes))).current();
         if many {
             field = field.many();

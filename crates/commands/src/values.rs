@@ -115,10 +115,9 @@ impl Reader<'_> {
         }
         for (x, item) in values.iter().zip(argument.values.iter().chain(std::iter::repeat(&argument.values[0]))) {
             if !x.is_finite() {
-                let error =
-                    Diagnostic::error("value/not-finite", format!("`{}` must be a finite number", field.name))
-                        .at(item.span, format!("this is {x}"))
-                        .adams("Invalid input. Enter a real number.");
+                let error = Diagnostic::error("value/not-finite", format!("`{}` must be a finite number", field.name))
+                    .at(item.span, format!("this is {x}"))
+                    .adams("Invalid input. Enter a real number.");
                 return Err(vec![error]);
             }
             if field.kind == Kind::Integer && (x.fract() != 0.0 || x.abs() > 9.0e15) {
@@ -155,13 +154,10 @@ impl Reader<'_> {
             _ => "value",
         };
         let plural = if wanted == "1" { "" } else { "s" };
-        Diagnostic::error(
-            "command/wrong-count",
-            format!("`{}` wants {wanted} {noun}{plural}, not {found}", field.name),
-        )
-        .at(argument.value_span, format!("{found} given"))
-        .help(format!("give {wanted} {noun}{plural}, separated by commas"))
-        .adams(format!("{wanted} values are required for '{}'.", field.name))
+        Diagnostic::error("command/wrong-count", format!("`{}` wants {wanted} {noun}{plural}, not {found}", field.name))
+            .at(argument.value_span, format!("{found} given"))
+            .help(format!("give {wanted} {noun}{plural}, separated by commas"))
+            .adams(format!("{wanted} values are required for '{}'.", field.name))
     }
 
     fn number_item(
@@ -194,11 +190,7 @@ impl Reader<'_> {
                 let word = self.word(item.span);
                 let mut error = not_a_number(field, item.span, "a word");
                 if lookup::search_one(self.database, word, "variable").is_some() {
-                    error = error.fix(
-                        "a variable is referred to in parentheses",
-                        item.span,
-                        format!("({word})"),
-                    );
+                    error = error.fix("a variable is referred to in parentheses", item.span, format!("({word})"));
                 }
                 Err(vec![error])
             }
@@ -336,11 +328,8 @@ impl Reader<'_> {
         if texts.len() > field.count.most || texts.len() < field.count.least {
             return Err(vec![self.count_error(field, argument, texts.len())]);
         }
-        let value = if field.count.most == 1 {
-            Value::Text(texts.pop().unwrap_or_default())
-        } else {
-            Value::Texts(texts)
-        };
+        let value =
+            if field.count.most == 1 { Value::Text(texts.pop().unwrap_or_default()) } else { Value::Texts(texts) };
         Ok(Draft::literal(value))
     }
 
@@ -529,7 +518,12 @@ fn wrong_dimension(database: &Database, field: &Field, found: Dimension, span: S
     let wanted = database.units().label(field.dimension);
     Diagnostic::error(
         "unit/wrong-dimension",
-        format!("`{}` is of the kind {}, but the value is of the kind {}", field.name, name(field.dimension), name(found)),
+        format!(
+            "`{}` is of the kind {}, but the value is of the kind {}",
+            field.name,
+            name(field.dimension),
+            name(found)
+        ),
     )
     .at(span, format!("this is in {}", database.units().label(found)))
     .note(format!("a plain number is read in {wanted}"))

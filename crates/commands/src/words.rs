@@ -14,9 +14,7 @@ pub enum Match {
 pub fn match_word<'a>(candidates: impl IntoIterator<Item = &'a str>, word: &str) -> Match {
     let mut found = Vec::new();
     for (i, candidate) in candidates.into_iter().enumerate() {
-        if candidate.len() >= word.len()
-            && candidate.as_bytes()[..word.len()].eq_ignore_ascii_case(word.as_bytes())
-        {
+        if candidate.len() >= word.len() && candidate.as_bytes()[..word.len()].eq_ignore_ascii_case(word.as_bytes()) {
             if candidate.len() == word.len() {
                 return Match::One(i);
             }

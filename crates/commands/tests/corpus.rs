@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use commands::{Interpreter, OnError};
+use flexure_commands::{Interpreter, OnError};
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     let Ok(entries) = std::fs::read_dir(folder) else { return };
@@ -46,7 +46,9 @@ fn every_exported_model_is_read_to_its_end() {
         assert!(!report.aborted, "{} was not read to its end", path.display());
         let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
         for diagnostic in &report.diagnostics {
-            *kinds.entry(format!("{} {}", diagnostic.code, if diagnostic.is_error() { "ERROR" } else { "" })).or_default() += 1;
+            *kinds
+                .entry(format!("{} {}", diagnostic.code, if diagnostic.is_error() { "ERROR" } else { "" }))
+                .or_default() += 1;
         }
         println!("   {kinds:?}");
         let mut shown = 0;
@@ -54,7 +56,8 @@ fn every_exported_model_is_read_to_its_end() {
             unexplained += 1;
             shown += 1;
             if shown <= 12 {
-                let place = diagnostic.primary.as_ref().map(|l| interpreter.sources.line_column(l.span.file, l.span.start));
+                let place =
+                    diagnostic.primary.as_ref().map(|l| interpreter.sources.line_column(l.span.file, l.span.start));
                 println!("   {}:{:?} {}", diagnostic.code, place.map(|p| p.line), diagnostic.message);
             }
         }

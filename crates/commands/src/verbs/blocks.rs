@@ -39,8 +39,11 @@ pub const FOR: VerbEntry = verb(
 
 fn stray(_: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
     Err(vec![
-        Diagnostic::error("command/stray-block-word", format!("`{}` stands outside of a block it could belong to", call.path))
-            .at(call.keywords, "no block is open here")
-            .adams("Invalid input. Enter an object, qualifier, or action."),
+        Diagnostic::error(
+            "command/stray-block-word",
+            format!("`{}` stands outside of a block it could belong to", call.path),
+        )
+        .at(call.keywords, "no block is open here")
+        .adams("Invalid input. Enter an object, qualifier, or action."),
     ])
 }

@@ -10,15 +10,48 @@ use crate::{Interpreter, OnError, call::Call, interpreter::Flow, tree::Role};
 type Outcome = Result<Flow, Vec<Diagnostic>>;
 
 const LENGTHS: &[&str] = &[
-    "mm", "cm", "meter", "km", "inch", "foot", "mile", "micrometer", "nanometer", "angstrom", "microinch", "mils", "yard",
+    "mm",
+    "cm",
+    "meter",
+    "km",
+    "inch",
+    "foot",
+    "mile",
+    "micrometer",
+    "nanometer",
+    "angstrom",
+    "microinch",
+    "mils",
+    "yard",
 ];
 const FORCES: &[&str] = &[
-    "newton", "knewton", "dyne", "pound_force", "kpound_force", "kg_force", "ounce_force", "millinewton", "centinewton",
-    "poundal", "micronewton", "nanonewton", "meganewton",
+    "newton",
+    "knewton",
+    "dyne",
+    "pound_force",
+    "kpound_force",
+    "kg_force",
+    "ounce_force",
+    "millinewton",
+    "centinewton",
+    "poundal",
+    "micronewton",
+    "nanonewton",
+    "meganewton",
 ];
 const MASSES: &[&str] = &[
-    "kg", "gram", "pound_mass", "kpound_mass", "slug", "slinch", "ounce_mass", "tonne", "milligram", "microgram",
-    "nanogram", "us_ton",
+    "kg",
+    "gram",
+    "pound_mass",
+    "kpound_mass",
+    "slug",
+    "slinch",
+    "ounce_mass",
+    "tonne",
+    "milligram",
+    "microgram",
+    "nanogram",
+    "us_ton",
 ];
 const TIMES: &[&str] = &["second", "millisecond", "microsecond", "nanosecond", "minute", "hour", "day"];
 const ANGLES: &[&str] = &["degrees", "radians", "angular_minutes", "angular_seconds", "revolutions"];
@@ -42,7 +75,8 @@ pub const UNITS: VerbEntry = entry(
             Field::choice("coordinate_system_type", &["cartesian", "cylindrical", "spherical"])
                 .doc("what three coordinates mean"),
             Field::choice("orientation_type", SEQUENCES).doc("what three angles mean"),
-            Field::real("units_consistency_factor", Dimension::NONE).doc("factor between force and mass times acceleration"),
+            Field::real("units_consistency_factor", Dimension::NONE)
+                .doc("factor between force and mass times acceleration"),
         ],
         rules: &[],
         doc: "units and forms in which values are given and shown",
@@ -142,8 +176,16 @@ fn coordinate_system(interpreter: &mut Interpreter, call: &Call) -> Outcome {
 }
 
 const PLANES: &[&str] = &[
-    "x_axis_xy_plane", "x_axis_xz_plane", "y_axis_yz_plane", "y_axis_xy_plane", "z_axis_xz_plane", "z_axis_yz_plane",
-    "y_axis_yx_plane", "x_axis_zx_plane", "z_axis_zx_plane", "z_axis_zy_plane",
+    "x_axis_xy_plane",
+    "x_axis_xz_plane",
+    "y_axis_yz_plane",
+    "y_axis_xy_plane",
+    "z_axis_xz_plane",
+    "z_axis_yz_plane",
+    "y_axis_yx_plane",
+    "x_axis_zx_plane",
+    "z_axis_zx_plane",
+    "z_axis_zy_plane",
 ];
 
 pub const ORIENT_AXIS_AND_PLANE: VerbEntry = entry(

@@ -79,11 +79,8 @@ fn attributes(interpreter: &mut Interpreter, call: &Call) -> Outcome {
         if !foreign.is_empty() {
             let name = interpreter.database.full_name(id);
             interpreter.report.diagnostics.push(
-                Diagnostic::warning(
-                    "command/no-effect",
-                    format!("`{name}` has no {}", foreign.join(", ")),
-                )
-                .at(call.span, format!("a {} has no such attribute", class.word.to_lowercase())),
+                Diagnostic::warning("command/no-effect", format!("`{name}` has no {}", foreign.join(", ")))
+                    .at(call.span, format!("a {} has no such attribute", class.word.to_lowercase())),
             );
         }
     }

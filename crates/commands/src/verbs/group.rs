@@ -25,7 +25,8 @@ pub const REMOVE: VerbEntry =
 pub const EMPTY: VerbEntry = verb("group empty", &[GROUP], empty, "takes all objects out of a group");
 
 fn group_and_members(interpreter: &mut Interpreter, call: &Call) -> Outcome<(ObjectId, Vec<ObjectId>)> {
-    let group = match interpreter.object_argument(call, "group_name")?.or_else(|| interpreter.database.current("group")) {
+    let group = match interpreter.object_argument(call, "group_name")?.or_else(|| interpreter.database.current("group"))
+    {
         Some(group) => group,
         None => return Err(vec![call.missing(&["group_name"])]),
     };

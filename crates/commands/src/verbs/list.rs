@@ -22,7 +22,14 @@ const fn of(name: &'static str, class: &'static str) -> Field {
 
 pub const ENTITY: VerbEntry = verb(
     "list_info entity",
-    &[of("entity_name", "any"), LEVELS, Field::text("type_filter").doc("take only objects of this type"), BRIEF, SHOW, FILE],
+    &[
+        of("entity_name", "any"),
+        LEVELS,
+        Field::text("type_filter").doc("take only objects of this type"),
+        BRIEF,
+        SHOW,
+        FILE,
+    ],
 );
 pub const FORCE: VerbEntry = verb(
     "list_info force",
@@ -35,7 +42,14 @@ pub const MODEL: VerbEntry = verb("list_info model", &[of("model_name", "model")
 pub const VARIABLE: VerbEntry = verb("list_info variable", &[of("variable_name", "variable"), BRIEF, SHOW, FILE]);
 pub const CONSTRAINT: VerbEntry = verb(
     "list_info constraint",
-    &[of("constraint_name", "constraint"), of("joint_name", "constraint"), of("motion_name", "motion"), BRIEF, SHOW, FILE],
+    &[
+        of("constraint_name", "constraint"),
+        of("joint_name", "constraint"),
+        of("motion_name", "motion"),
+        BRIEF,
+        SHOW,
+        FILE,
+    ],
 );
 
 fn list(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {

@@ -60,7 +60,15 @@ fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome {
 pub const READ: VerbEntry = entry(
     Verb {
         path: "macro read",
-        fields: &[NAME, Field::new("file_name", Kind::File).required().doc("file"), COMMAND, WRAP, HELP_FILE, HELP, PANEL],
+        fields: &[
+            NAME,
+            Field::new("file_name", Kind::File).required().doc("file"),
+            COMMAND,
+            WRAP,
+            HELP_FILE,
+            HELP,
+            PANEL,
+        ],
         rules: &[],
         doc: "makes a command of the commands in a file",
     },

@@ -8,11 +8,7 @@ use super::{
     VerbEntry, entry,
     solver_commands::{SolverCommand, parse_solver_command},
 };
-use crate::{
-    Interpreter, OutputTimes, SimulationKind, SimulationRequest,
-    call::Call,
-    interpreter::Flow,
-};
+use crate::{Interpreter, OutputTimes, SimulationKind, SimulationRequest, call::Call, interpreter::Flow};
 
 type Outcome<T> = Result<T, Vec<Diagnostic>>;
 

@@ -9,9 +9,17 @@ pub enum SolverCommand {
     /// A comment or an empty line.
     Nothing,
     Stop,
-    Simulate { kind: SimulationKind, end: Option<f64>, duration: Option<f64>, output: Option<OutputTimes> },
+    Simulate {
+        kind: SimulationKind,
+        end: Option<f64>,
+        duration: Option<f64>,
+        output: Option<OutputTimes>,
+    },
     /// A setting for the runs that follow: `INTEGRATOR/ERROR=1E-5` gives (`ERROR`, `1E-5`).
-    Setting { statement: String, arguments: Vec<(String, String)> },
+    Setting {
+        statement: String,
+        arguments: Vec<(String, String)>,
+    },
     /// Understood as a command, but not executed.
     Other(String),
 }
@@ -118,6 +126,9 @@ mod tests {
             }
         );
         assert_eq!(parse_solver_command("! Insert ACF commands here:"), SolverCommand::Nothing);
-        assert_eq!(parse_solver_command("DEACTIVATE/SENSOR, ID=1"), SolverCommand::Other("DEACTIVATE/SENSOR, ID=1".into()));
+        assert_eq!(
+            parse_solver_command("DEACTIVATE/SENSOR, ID=1"),
+            SolverCommand::Other("DEACTIVATE/SENSOR, ID=1".into())
+        );
     }
 }

@@ -39,8 +39,10 @@ pub const CREATE: VerbEntry = entry(
     Verb { path: "variable create", fields: &fields(NEW), rules: RULES, doc: "creates a design variable" },
     create,
 );
-pub const SET: VerbEntry =
-    entry(Verb { path: "variable set", fields: &fields(ANY), rules: RULES, doc: "creates or sets a design variable" }, set);
+pub const SET: VerbEntry = entry(
+    Verb { path: "variable set", fields: &fields(ANY), rules: RULES, doc: "creates or sets a design variable" },
+    set,
+);
 const MODIFY_FIELDS: [Field; 14] = {
     let old = fields(OLD);
     let mut all = [OLD; 14];
@@ -52,8 +54,10 @@ const MODIFY_FIELDS: [Field; 14] = {
     all[13] = Field::new("new_variable_name", Kind::Object(Names::New, "variable")).doc("new name");
     all
 };
-pub const MODIFY: VerbEntry =
-    entry(Verb { path: "variable modify", fields: &MODIFY_FIELDS, rules: RULES, doc: "changes a design variable" }, modify);
+pub const MODIFY: VerbEntry = entry(
+    Verb { path: "variable modify", fields: &MODIFY_FIELDS, rules: RULES, doc: "changes a design variable" },
+    modify,
+);
 
 fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let (typed, span) = match call.argument("variable_name") {
@@ -109,7 +113,10 @@ fn set(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     } else {
         let steps = model::split_name(&typed);
         let model = interpreter.database.current("model");
-        interpreter.database.descend(model, &steps, "variable").or_else(|| interpreter.database.descend(None, &steps, "variable"))
+        interpreter
+            .database
+            .descend(model, &steps, "variable")
+            .or_else(|| interpreter.database.descend(None, &steps, "variable"))
     };
     let id = match known {
         Some(id) => id,
@@ -121,7 +128,10 @@ fn set(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
 }
 
 fn modify(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
-    let id = match interpreter.object_argument(call, "variable_name")?.or_else(|| interpreter.database.current("variable")) {
+    let id = match interpreter
+        .object_argument(call, "variable_name")?
+        .or_else(|| interpreter.database.current("variable"))
+    {
         Some(id) => id,
         None => return Err(vec![call.missing(&["variable_name"])]),
     };
