@@ -4,6 +4,9 @@
 
 /// Keywords that may follow a path; the path is empty for the first word of a command.
 pub const KEYWORDS: &[(&str, &str)] = &[
+    ("executive_control", "set create modify delete"),
+    ("executive_control create", "sensor"),
+    ("executive_control modify", "sensor"),
     (
         "",
         "model part marker floating_marker point geometry constraint force data_element measure \
@@ -174,6 +177,8 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("simulation", "nothing is simulated by this command"),
     ("simulation set", "the solver of Flexure is used as it is"),
     ("executive_control", "the solver uses its own setting"),
+    ("executive_control create sensor", "the sensor does not act: a simulation of this model may differ from Adams"),
+    ("executive_control modify sensor", "the sensor does not act: a simulation of this model may differ from Adams"),
     ("output_control", "the output is not written"),
     ("numeric_results", "the result is not computed"),
     ("graphic_results", "only the display in Adams View is concerned"),

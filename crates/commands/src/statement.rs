@@ -63,8 +63,15 @@ impl Interpreter {
         !self.unmade.is_empty()
             && errors.iter().all(|e| {
                 let named = e.primary.as_ref().map(|l| program.word(l.span).to_ascii_lowercase());
-                e.code == "name/not-found" && named.is_some_and(|n| self.unmade.contains(&n))
+                let solid = self.unmade.contains("geometry") && e.message.starts_with("there is no geometry `");
+                e.code == "name/not-found" && (solid || named.is_some_and(|n| self.was_not_made(&n)))
             })
+    }
+
+    /// Whether a skipped command would have made an object, or what it belongs to.
+    fn was_not_made(&self, name: &str) -> bool {
+        let parents = name.match_indices('.').map(|(at, _)| &name[..at]);
+        self.unmade.contains(name) || parents.into_iter().any(|p| !p.is_empty() && self.unmade.contains(p))
     }
 
     /// Counts a failed command and decides whether its file goes on.
@@ -230,6 +237,10 @@ impl Interpreter {
                 return Err(errors);
             }
             self.not_supported(&command.path, span);
+            // A solid read from another program's file has a name that only that file knows.
+            if command.path.starts_with("file parasolid read") {
+                self.unmade.insert("geometry".into());
+            }
             // What this would have made is missing for the commands that follow.
             if command.path.contains("create") {
                 let names = arguments.iter().filter(|a| program.word(a.name).contains("name"));
