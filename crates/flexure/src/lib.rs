@@ -1,1 +1,23 @@
-//! (see ARCHITECTURE.md)
+//! The facade: a [`Session`] reads and executes commands, simulates, verifies and writes. Every
+//! door (command line, Python) stands on it and on nothing behind it.
+
+mod attributes;
+mod engine;
+mod modes;
+mod run;
+mod session;
+mod settings;
+mod simulate;
+mod support;
+
+pub use attributes::{Attribute, AttributeValue};
+pub use modes::{Mode, ModesReport};
+pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
+pub use session::{Report, Session, Verification};
+pub use settings::{Analysis, Outputs, SimulationOptions};
+pub use support::{Support, support};
+
+pub use elements::Finding;
+pub use parquet;
+pub use results;
+pub use text;

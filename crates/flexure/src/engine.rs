@@ -1,0 +1,165 @@
+//! What stands between commands and solver: it keeps the observer, the runs made, and where the
+//! last analysis left a model.
+
+use std::path::{Path, PathBuf};
+
+use commands::{OutputTimes, SimulationKind, SimulationRequest};
+use model::{Database, ObjectId};
+use solver::SystemState;
+use text::Diagnostic;
+
+use crate::modes::{self, ModesReport};
+use crate::run::{Run, RunObserver, Silent};
+use crate::session::cannot_write;
+use crate::settings::{Analysis, Outputs, SimulationOptions};
+use crate::simulate::{self, Simulation};
+
+/// Where the last analysis left a model.
+pub(crate) struct Left {
+    pub model: ObjectId,
+    /// Revision of the database it belongs to; a changed model starts anew.
+    pub revision: u64,
+    pub state: SystemState,
+}
+
+pub(crate) struct Engine {
+    pub observer: Box<dyn RunObserver>,
+    pub runs: Vec<Run>,
+    /// Simulations that commands ask for are left out.
+    pub idle: bool,
+    pub record_all: bool,
+    /// Folder of the file being read; relative paths are tried there too.
+    pub folder: Option<PathBuf>,
+    /// Runs begun so far.
+    count: usize,
+    left: Option<Left>,
+}
+
+impl Default for Engine {
+    fn default() -> Self {
+        let observer = Box::new(Silent);
+        Engine { observer, runs: Vec::new(), idle: false, record_all: false, folder: None, count: 0, left: None }
+    }
+}
+
+impl Engine {
+    /// Does what a simulation command asks for.
+    pub fn obey(&mut self, database: &Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>> {
+        if self.idle {
+            return Ok(());
+        }
+        let now = self.left_state(database, request.model).map_or(0.0, |left| left.state.t);
+        let outputs = match request.output {
+            OutputTimes::Steps(steps) => Outputs::Steps(usize::try_from(steps).unwrap_or(usize::MAX)),
+            OutputTimes::Every(interval) => Outputs::Interval(interval),
+        };
+        let end = request.end.or(request.duration.map(|d| now + d)).unwrap_or(now + 1.0);
+        let analysis = match request.kind {
+            SimulationKind::Reset => {
+                self.left = None;
+                return Ok(());
+            }
+            SimulationKind::Eigen => {
+                let report = self.modes(database, request.model, false)?;
+                report.lines().iter().for_each(|line| self.observer.message(line));
+                return Ok(());
+            }
+            SimulationKind::Equilibrium => Analysis::Static,
+            SimulationKind::Assemble => Analysis::Assemble,
+            SimulationKind::Static => Analysis::QuasiStatic { end, outputs },
+            SimulationKind::Kinematic => Analysis::Kinematic { end, outputs },
+            SimulationKind::Dynamic => Analysis::Dynamic { end, outputs },
+            SimulationKind::Auto => Analysis::Auto { end, outputs },
+        };
+        if request.initial_static && analysis != Analysis::Static {
+            self.run(database, request.model, &SimulationOptions::new(Analysis::Static), &request.settings)?;
+        }
+        self.run(database, request.model, &SimulationOptions::new(analysis), &request.settings)?;
+        Ok(())
+    }
+
+    pub fn simulate(
+        &mut self,
+        database: &Database,
+        model: ObjectId,
+        options: &SimulationOptions,
+    ) -> Result<Run, Vec<Diagnostic>> {
+        self.run(database, model, options, &[])?;
+        self.runs.last().cloned().ok_or_else(Vec::new)
+    }
+
+    /// Makes one run, keeps it, and keeps where it left the model.
+    fn run(
+        &mut self,
+        database: &Database,
+        model: ObjectId,
+        options: &SimulationOptions,
+        settings: &[(String, String, String)],
+    ) -> Result<(), Vec<Diagnostic>> {
+        self.count += 1;
+        let from = self.left_state(database, model).map(|left| left.state.clone());
+        let simulation = Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
+        let (run, state) = simulate::run(simulation, self.observer.as_mut())?;
+        self.left = Some(Left { model, revision: database.revision(), state });
+        self.runs.push(run);
+        Ok(())
+    }
+
+    pub fn modes(&mut self, database: &Database, model: ObjectId, statics: bool) -> Result<ModesReport, Vec<Diagnostic>> {
+        let from = self.left_state(database, model).map(|left| left.state.clone());
+        modes::find(database, model, from, statics, self.observer.as_mut())
+    }
+
+    fn left_state(&self, database: &Database, model: ObjectId) -> Option<&Left> {
+        self.left.as_ref().filter(|left| left.model == model && left.revision == database.revision())
+    }
+
+    pub fn verify_report(&mut self, database: &Database, model: ObjectId) -> Vec<String> {
+        simulate::verify_report(database, model)
+    }
+
+    pub fn write_data_set(
+        &mut self,
+        database: &mut Database,
+        model: ObjectId,
+        path: &Path,
+    ) -> Result<(), Vec<Diagnostic>> {
+        let text = dataset_text(database, model)?;
+        std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
+    }
+
+    /// A path as a command gives it: as it is, or beside the file being read if it is only there.
+    pub fn resolve(&self, path: &str) -> PathBuf {
+        let given = PathBuf::from(path);
+        match &self.folder {
+            Some(folder) if given.is_relative() && !given.exists() && folder.join(&given).exists() => folder.join(given),
+            _ => given,
+        }
+    }
+}
+
+/// A model as a solver dataset; parts without mass of their own get that of their geometry.
+fn dataset_text(database: &mut Database, model: ObjectId) -> Result<String, Vec<Diagnostic>> {
+    let mass = |database: &Database, part: ObjectId| geometric_mass(database, part);
+    let options = dataset::Options { mass: Some(&mass), ..dataset::Options::default() };
+    dataset::write(database, model, options).map(|written| written.text)
+}
+
+/// Mass properties that a part gets from its shapes, in model units, about its centre-of-mass marker
+/// and in that marker's axes.
+fn geometric_mass(database: &Database, part: ObjectId) -> Option<dataset::Mass> {
+    let properties = elements::geometry::mass_properties(database, part).ok().flatten()?;
+    let centre = database.reference(part, "center_of_mass_marker").or_else(|| database.child(Some(part), "cm", "marker"));
+    let axes = centre.map_or(glam::DMat3::IDENTITY, |marker| database.local_pose(marker).rotation);
+    let inertia = properties.inertia_along(&axes);
+    let units = database.units();
+    let per_unit = 1.0 / units.factor(schema::Dimension::INERTIA);
+    let entry = |row: usize, column: usize| inertia.col(column)[row] * per_unit;
+    Some(dataset::Mass {
+        mass: properties.mass / units.mass.si,
+        center: centre,
+        inertia_marker: None,
+        // The product of inertia counts with the sign Adams gives it: the integral of xy dm.
+        inertia: [entry(0, 0), entry(1, 1), entry(2, 2), -entry(0, 1), -entry(0, 2), -entry(1, 2)],
+    })
+}

@@ -1,0 +1,342 @@
+//! The session: one interpreter with its models, and what users do with it.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use commands::{Host, Interpreter, OnError, SimulationRequest};
+use elements::Finding;
+use model::{Database, ObjectId};
+use results::Polyline;
+use text::{Diagnostic, Format, Sources, render};
+
+use crate::attributes::{self, Attribute};
+use crate::engine::Engine;
+use crate::modes::ModesReport;
+use crate::run::{Run, RunObserver};
+use crate::settings::SimulationOptions;
+
+pub use commands::Report;
+
+/// What verification found: the report in Adams' words, and findings with their mending.
+#[derive(Clone, Debug, Default)]
+pub struct Verification {
+    pub report: Vec<String>,
+    pub findings: Vec<Finding>,
+}
+
+/// A session.
+pub struct Session {
+    interpreter: Interpreter,
+    engine: Arc<Mutex<Engine>>,
+    journal: Option<JournalFile>,
+}
+
+struct JournalFile {
+    file: std::fs::File,
+    /// Lines written so far.
+    written: usize,
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Session {
+    pub fn new() -> Session {
+        let engine = Arc::new(Mutex::new(Engine::default()));
+        let mut interpreter = Interpreter::with_host(elements::registry(), Box::new(EngineHost(engine.clone())));
+        interpreter.on_error = OnError::IgnoreCommand;
+        Session { interpreter, engine, journal: None }
+    }
+
+    fn engine(&self) -> MutexGuard<'_, Engine> {
+        lock(&self.engine)
+    }
+
+    // ---- how the session behaves ----
+
+    /// Whether a file is left at its first error; otherwise the command is dropped.
+    pub fn abort_on_error(&mut self, abort: bool) {
+        self.interpreter.on_error = if abort { OnError::AbortFile } else { OnError::IgnoreCommand };
+    }
+
+    /// Whether simulations that commands ask for are left out.
+    pub fn simulate_nothing(&mut self, nothing: bool) {
+        self.engine().idle = nothing;
+    }
+
+    /// Whether runs record every part, joint, motion and force beside requests and measures.
+    pub fn record_everything(&mut self, all: bool) {
+        self.engine().record_all = all;
+    }
+
+    /// A flag that stops execution before the next command.
+    pub fn set_interrupt(&mut self, flag: Arc<AtomicBool>) {
+        self.interpreter.set_interrupt_flag(flag);
+    }
+
+    /// Who watches the runs from now on.
+    pub fn set_observer(&mut self, observer: Box<dyn RunObserver>) {
+        self.engine().observer = observer;
+    }
+
+    /// Writes a journal in the layout of `aview.log` from now on.
+    ///
+    /// # Errors
+    /// If the file cannot be created.
+    pub fn keep_journal(&mut self, path: &Path) -> io::Result<()> {
+        let file = std::fs::File::create(path)?;
+        self.interpreter.journal = Some(commands::Journal::default());
+        self.journal = Some(JournalFile { file, written: 0 });
+        Ok(())
+    }
+
+    /// Appends what the journal has grown by; a journal that cannot be written is a warning.
+    fn write_journal(&mut self, report: &mut Report) {
+        let (Some(target), Some(journal)) = (&mut self.journal, &self.interpreter.journal) else { return };
+        let lines = journal.lines_from(target.written);
+        let text: String = lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect();
+        if let Err(error) = target.file.write_all(text.as_bytes()).and_then(|()| target.file.flush()) {
+            report.diagnostics.push(Diagnostic::warning("file/cannot-write", format!("cannot write the journal: {error}")));
+            self.journal = None;
+            return;
+        }
+        target.written += lines.len();
+    }
+
+    /// Runs something on the interpreter and keeps the journal file up to date.
+    fn journalled(&mut self, run: impl FnOnce(&mut Interpreter) -> Report) -> Report {
+        let mut report = run(&mut self.interpreter);
+        self.write_journal(&mut report);
+        report
+    }
+
+    // ---- reading and executing ----
+
+    /// Executes a command file (`.cmd`, `.mac`).
+    pub fn read(&mut self, path: &Path) -> Report {
+        self.engine().folder = path.parent().map(Path::to_path_buf);
+        self.journalled(|interpreter| interpreter.run_file(path))
+    }
+
+    /// Executes bytes as the text of a command file.
+    pub fn read_bytes(&mut self, name: &str, bytes: Vec<u8>) -> Report {
+        let mut sources = Sources::default();
+        let file = sources.add_bytes(name, bytes);
+        let text = sources.text(file).to_string();
+        self.journalled(|interpreter| interpreter.run_text(name, &text))
+    }
+
+    /// The report of a file that cannot be read.
+    pub fn unreadable(&self, path: &Path, error: &io::Error) -> Report {
+        let message = format!("cannot read {}: {error}", path.display());
+        Report { failed: 1, diagnostics: vec![Diagnostic::error("file/unreadable", message)], ..Report::default() }
+    }
+
+    /// Executes command text.
+    pub fn execute(&mut self, text: &str) -> Report {
+        self.journalled(|interpreter| interpreter.execute(text))
+    }
+
+    /// Takes the last step back; false if there is none.
+    pub fn undo(&mut self) -> bool {
+        self.interpreter.database.undo()
+    }
+
+    /// Does the step undone last again; false if there is none.
+    pub fn redo(&mut self) -> bool {
+        self.interpreter.database.redo()
+    }
+
+    // ---- looking ----
+
+    pub fn sources(&self) -> &Sources {
+        &self.interpreter.sources
+    }
+
+    pub fn database(&self) -> &Database {
+        &self.interpreter.database
+    }
+
+    /// Diagnostics as the terminal shows them.
+    pub fn render(&self, diagnostics: &[Diagnostic], colour: bool) -> String {
+        render(self.sources(), diagnostics, Format::Terminal { colours: colour })
+    }
+
+    /// The current model.
+    pub fn model(&self) -> Option<ObjectId> {
+        self.database().current("model")
+    }
+
+    /// Name of the current model, without dot.
+    pub fn model_name(&self) -> Option<String> {
+        Some(self.database().object(self.model()?).name.clone())
+    }
+
+    /// Full names of all objects of a class or family below the current model.
+    pub fn objects(&self, wanted: &str) -> Vec<String> {
+        let database = self.database();
+        self.model()
+            .map(|m| database.below(m, wanted))
+            .unwrap_or_default()
+            .into_iter()
+            .map(|id| database.full_name(id))
+            .collect()
+    }
+
+    /// Full name of an object given by full name, partial path or short name.
+    pub fn resolve(&self, name: &str, wanted: &str) -> Option<String> {
+        attributes::resolve(self.database(), self.model(), name, wanted).map(|id| self.database().full_name(id))
+    }
+
+    /// Names of the attributes of an object: the parameters of its commands.
+    pub fn attributes(&self, object: &str) -> Vec<String> {
+        attributes::names(self.database(), object)
+    }
+
+    /// An attribute in model units.
+    pub fn attribute(&self, object: &str, name: &str) -> Option<Attribute> {
+        attributes::read(self.database(), object, name)
+    }
+
+    /// Sets attributes by running the modify command of the object's class; values are command text.
+    pub fn modify(&mut self, object: &str, values: &[(String, String)]) -> Report {
+        match attributes::modify_command(self.database(), object, values) {
+            Ok(command) => self.execute(&command),
+            Err(diagnostic) => Report { failed: 1, diagnostics: vec![diagnostic], ..Report::default() },
+        }
+    }
+
+    /// Lines that draw the current model, in global axes.
+    pub fn drawing(&self) -> Vec<Polyline> {
+        self.model().map(|m| elements::draw::draw_model(self.database(), m).0).unwrap_or_default()
+    }
+
+    /// The global axis that points up: against gravity, or z without gravity.
+    pub fn up_axis(&self) -> usize {
+        let database = self.database();
+        let gravity = self.model().and_then(|m| database.below(m, "gravity").first().copied());
+        let component = |name| gravity.and_then(|g| database.number(g, name)).unwrap_or(0.0).abs();
+        let sizes = ["x_component_gravity", "y_component_gravity", "z_component_gravity"].map(component);
+        (0..3).max_by(|a, b| sizes[*a].total_cmp(&sizes[*b])).unwrap_or(2)
+    }
+
+    // ---- doing ----
+
+    /// Simulates the current model from its modelled state, or from where the last analysis of the
+    /// unchanged model left it.
+    ///
+    /// # Errors
+    /// What is wrong with the model, or why the solver gave up.
+    pub fn simulate(&mut self, options: &SimulationOptions) -> Result<Run, Vec<Diagnostic>> {
+        let model = self.model_or_error()?;
+        let database = &self.interpreter.database;
+        lock(&self.engine).simulate(database, model, options)
+    }
+
+    /// Linear modes about the modelled state, or about the static equilibrium.
+    ///
+    /// # Errors
+    /// As [`Session::simulate`].
+    pub fn modes(&mut self, statics: bool) -> Result<ModesReport, Vec<Diagnostic>> {
+        let model = self.model_or_error()?;
+        let database = &self.interpreter.database;
+        lock(&self.engine).modes(database, model, statics)
+    }
+
+    /// Runs made since the last call.
+    pub fn take_runs(&mut self) -> Vec<Run> {
+        std::mem::take(&mut self.engine().runs)
+    }
+
+    /// Degrees of freedom, redundant constraints, and the traps.
+    pub fn verify(&self) -> Verification {
+        let Some(model) = self.model() else { return Verification::default() };
+        Verification {
+            report: self.engine().verify_report(self.database(), model),
+            findings: elements::verify(self.database(), model),
+        }
+    }
+
+    /// Executes the commands that mend findings.
+    pub fn fix(&mut self, found: &Verification) -> Report {
+        let mut total = Report::default();
+        for command in found.findings.iter().filter_map(|f| f.fix.as_deref()) {
+            let report = self.execute(command);
+            total.executed += report.executed;
+            total.failed += report.failed;
+            total.diagnostics.extend(report.diagnostics);
+        }
+        total
+    }
+
+    /// Writes the current model as `.cmd` or `.adm`.
+    ///
+    /// # Errors
+    /// If the format is unknown, something cannot be written in it, or the file cannot be written.
+    pub fn write(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
+        let model = self.model_or_error()?;
+        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        match extension.as_str() {
+            "adm" => lock(&self.engine).write_data_set(&mut self.interpreter.database, model, path),
+            "cmd" => {
+                let text = commands::write_model(&self.interpreter.database, model);
+                std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
+            }
+            other => Err(vec![
+                Diagnostic::error("file/unknown-format", format!("a model cannot be written as `.{other}`"))
+                    .help("`.cmd` and `.adm` are written"),
+            ]),
+        }
+    }
+
+    fn model_or_error(&self) -> Result<ObjectId, Vec<Diagnostic>> {
+        self.model().ok_or_else(|| {
+            let help = "`model create model_name = ...` or reading a command file makes one";
+            vec![Diagnostic::error("model/none", "there is no model").help(help)]
+        })
+    }
+}
+
+pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Diagnostic {
+    Diagnostic::error("file/cannot-write", format!("cannot write {}: {error}", path.display()))
+}
+
+fn lock(engine: &Mutex<Engine>) -> MutexGuard<'_, Engine> {
+    engine.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What the interpreter asks of the engine.
+struct EngineHost(Arc<Mutex<Engine>>);
+
+impl Host for EngineHost {
+    fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>> {
+        lock(&self.0).obey(database, request)
+    }
+
+    fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
+        lock(&self.0).write_data_set(database, model, path)
+    }
+
+    fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {
+        let report = lock(&self.0).verify_report(database, model);
+        (report, elements::verify(database, model).into_iter().map(|f| f.diagnostic).collect())
+    }
+
+    fn generate_ids(&mut self, database: &mut Database, model: ObjectId) -> Result<(), Vec<Diagnostic>> {
+        dataset::number_objects(database, model)
+    }
+
+    fn show(&mut self, lines: &[String]) {
+        let mut engine = lock(&self.0);
+        lines.iter().for_each(|line| engine.observer.message(line));
+    }
+
+    fn resolve(&self, path: &str) -> PathBuf {
+        lock(&self.0).resolve(path)
+    }
+}

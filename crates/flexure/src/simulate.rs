@@ -1,0 +1,386 @@
+//! One run from model to results: lowering, redundant constraints, initial conditions, analysis.
+
+use elements::{Lowered, Options};
+use equations::System;
+use model::{Database, ObjectId};
+use results::Table;
+use solver::redundancy::{self, SparseRows};
+use solver::{Control, Dae, Failure, Observer, Statistics, SystemState, equilibrium, initial, integrate};
+use text::Diagnostic;
+
+use crate::run::{Progress, Run, RunHeader, RunObserver};
+use crate::settings::{Analysis, Outputs, SimulationOptions, integrator_options, static_options};
+
+/// What a run is made of.
+pub(crate) struct Simulation<'a> {
+    pub database: &'a Database,
+    pub model: ObjectId,
+    /// Number of the run in the session.
+    pub number: usize,
+    pub record_all: bool,
+    pub options: &'a SimulationOptions,
+    /// Settings that solver commands gave for this run.
+    pub settings: &'a [(String, String, String)],
+    /// Where the last analysis left the model.
+    pub from: Option<SystemState>,
+}
+
+/// A model as equations, its redundant equations switched off, at a consistent state.
+pub(crate) struct Prepared {
+    pub lowered: Lowered,
+    pub state: SystemState,
+    pub messages: Vec<String>,
+    /// Degrees of freedom.
+    pub freedom: usize,
+}
+
+/// Runs a simulation; returns the run and where it left the model.
+pub(crate) fn run(
+    simulation: Simulation<'_>,
+    observer: &mut dyn RunObserver,
+) -> Result<(Run, SystemState), Vec<Diagnostic>> {
+    let Simulation { database, model, .. } = simulation;
+    let prepared = prepare(database, model, simulation.from, simulation.record_all)?;
+    let Prepared { lowered, mut state, mut messages, freedom } = prepared;
+    let analysis = settle(simulation.options.analysis, freedom, &mut messages);
+    let name = database.object(model).name.clone();
+    let (short, title) = titles(analysis);
+    let columns = lowered.outputs.columns();
+    let header = RunHeader { model: name, name: format!("{}_{short}", simulation.number), title, columns };
+    observer.begin(&header);
+    messages.iter().for_each(|m| observer.message(m));
+    let Lowered { mut system, outputs, diagnostics, .. } = lowered;
+    let width = header.columns.len();
+    let mut recorder = Recorder {
+        observer,
+        outputs,
+        table: Table::with_columns(header.columns.clone()),
+        row: vec![0.0; width],
+        concerns: Vec::new(),
+        stopped: false,
+        start: state.t,
+    };
+    let settings = (database, model, simulation.options, simulation.settings);
+    let outcome = analyse(analysis, &mut system, &mut state, settings, &mut recorder, &mut messages);
+    let Recorder { table, concerns, stopped, observer, .. } = recorder;
+    let mut run = Run {
+        header,
+        table,
+        statistics: Statistics::default(),
+        messages,
+        diagnostics,
+        interrupted: stopped,
+    };
+    run.diagnostics.extend(concern_warnings(&concerns));
+    match outcome {
+        Ok(statistics) => {
+            run.statistics = statistics;
+            observer.end(&run);
+            Ok((run, state))
+        }
+        Err(mut errors) => {
+            observer.end(&run);
+            errors.extend(run.diagnostics);
+            Err(errors)
+        }
+    }
+}
+
+/// Lowers a model, switches redundant equations off and finds a consistent state.
+pub(crate) fn prepare(
+    database: &Database,
+    model: ObjectId,
+    from: Option<SystemState>,
+    record_all: bool,
+) -> Result<Prepared, Vec<Diagnostic>> {
+    let mut lowered = elements::lower(database, model, Options { record_all, ..Options::default() })?;
+    let system = &mut lowered.system;
+    system.set_length_unit(database.units().length.si);
+    let (q, v) = system.initial_state();
+    let mut state = from.filter(|s| s.q.len() == q.len() && s.v.len() == v.len()).unwrap_or_else(|| SystemState {
+        t: 0.0,
+        q,
+        v,
+        ..SystemState::default()
+    });
+    let mut messages = Vec::new();
+    let redundant = switch_off_redundant(system, &state)?;
+    if !redundant.is_empty() {
+        messages.push("Degree-of-freedom analysis identified redundant constraints in the model:".to_string());
+        messages.extend(redundant.iter().map(|r| format!(" -  deactivating constraint equation  {r}")));
+    }
+    assemble(system, &mut state)?;
+    let freedom = system.velocities().saturating_sub(system.constraints());
+    Ok(Prepared { lowered, state, messages, freedom })
+}
+
+/// Names of the equations that were switched off, `Zi.Xj in .model.JOINT_2`.
+fn switch_off_redundant(system: &mut System, state: &SystemState) -> Result<Vec<String>, Vec<Diagnostic>> {
+    let rows = system.constraint_rows(state.t, &state.q).map_err(|e| vec![evaluation(&e)])?;
+    let sorted = |entries: &[(usize, f64)]| {
+        let mut entries = entries.to_vec();
+        entries.sort_by_key(|e| e.0);
+        entries
+    };
+    let sparse =
+        SparseRows { columns: system.velocities(), rows: rows.iter().map(|r| sorted(&r.entries)).collect() };
+    let mut named = Vec::new();
+    for found in redundancy::find(&sparse, &[], redundancy::TOLERANCE) {
+        let row = &rows[found.row];
+        let constraint = &system.constraint_list()[row.constraint];
+        let (short, _) = constraint.equation_name(row.equation);
+        named.push(format!("{short} in {}", constraint.name()));
+        system.set_active(row.constraint, row.equation, false);
+    }
+    Ok(named)
+}
+
+/// Consistent positions, velocities, accelerations and multipliers.
+fn assemble(system: &mut System, state: &mut SystemState) -> Result<(), Vec<Diagnostic>> {
+    let weights: Vec<f64> = system.exact().into_iter().map(|exact| if exact { initial::EXACT } else { 1.0 }).collect();
+    let failed = |failure: Failure| {
+        let note = "the initial positions and velocities must satisfy the joints and motions";
+        vec![failed(&failure).note(note)]
+    };
+    initial::displacements(system, state, &weights).map_err(failed)?;
+    initial::velocities(system, state, &weights).map_err(failed)?;
+    initial::accelerations(system, state).map_err(failed)?;
+    Ok(())
+}
+
+/// Chooses between kinematic and dynamic, and says what Adams says of a determinate model.
+fn settle(analysis: Analysis, freedom: usize, messages: &mut Vec<String>) -> Analysis {
+    match analysis {
+        Analysis::Auto { end, outputs } if freedom == 0 => Analysis::Kinematic { end, outputs },
+        Analysis::Auto { end, outputs } => Analysis::Dynamic { end, outputs },
+        Analysis::Dynamic { .. } if freedom == 0 => {
+            messages.push(
+                "The model has no degree of freedom; a kinematic analysis would be more efficient. \
+                 As requested, the simulation continues with a dynamic analysis."
+                    .to_string(),
+            );
+            analysis
+        }
+        other => other,
+    }
+}
+
+fn titles(analysis: Analysis) -> (&'static str, String) {
+    match analysis {
+        Analysis::Static => ("static", "static equilibrium".into()),
+        Analysis::Assemble => ("assemble", "initial conditions".into()),
+        Analysis::Dynamic { end, .. } | Analysis::Auto { end, .. } => ("dynamic", format!("dynamic simulation to {end} s")),
+        Analysis::Kinematic { end, .. } => ("kinematic", format!("kinematic simulation to {end} s")),
+        Analysis::QuasiStatic { end, .. } => ("quasi_static", format!("static solutions to {end} s")),
+    }
+}
+
+type Settings<'a> = (&'a Database, ObjectId, &'a SimulationOptions, &'a [(String, String, String)]);
+
+fn analyse(
+    analysis: Analysis,
+    system: &mut System,
+    state: &mut SystemState,
+    (database, model, options, commands): Settings<'_>,
+    recorder: &mut Recorder<'_>,
+    messages: &mut Vec<String>,
+) -> Result<Statistics, Vec<Diagnostic>> {
+    let report = |failure: &Failure| vec![failed(failure)];
+    match analysis {
+        Analysis::Assemble => {
+            recorder.record(system, state);
+            Ok(Statistics::default())
+        }
+        Analysis::Static => balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f)),
+        Analysis::QuasiStatic { end, outputs } => {
+            let mut total = Statistics::default();
+            for t in times(outputs, state.t, end)? {
+                state.t = t;
+                initial::displacements(system, state, &[]).map_err(|f| report(&f))?;
+                let work = balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))?;
+                total.iterations += work.iterations;
+                total.factorisations += work.factorisations;
+                if recorder.stopped {
+                    break;
+                }
+            }
+            Ok(total)
+        }
+        Analysis::Kinematic { end, outputs } => move_along(system, state, &times(outputs, state.t, end)?, end, recorder),
+        Analysis::Dynamic { end, outputs } | Analysis::Auto { end, outputs } => {
+            let times = times(outputs, state.t, end)?;
+            let (chosen, note) = integrator_options(database, model, options, commands)?;
+            messages.extend(note);
+            integrate(system, state, end, &times, &chosen, recorder).map_err(|f| report(&f))
+        }
+    }
+}
+
+/// Output times; an end before the present time is refused.
+fn times(outputs: Outputs, start: f64, end: f64) -> Result<Vec<f64>, Vec<Diagnostic>> {
+    let sound = match outputs {
+        Outputs::Steps(steps) => steps > 0 && steps <= 100_000_000,
+        Outputs::Interval(interval) => interval > 0.0 && (end - start) / interval <= 1e8,
+    };
+    if !(end > start && end.is_finite() && sound) {
+        let text = format!("a run from {start} s to {end} s with these outputs is not possible");
+        let help = "the end time must lie after the present time; outputs need a positive step";
+        return Err(vec![Diagnostic::error("run/no-time", text).help(help)]);
+    }
+    Ok(outputs.times(start, end))
+}
+
+/// Static equilibrium at the present time.
+fn balance(
+    system: &mut System,
+    state: &mut SystemState,
+    database: &Database,
+    model: ObjectId,
+    commands: &[(String, String, String)],
+    recorder: &mut Recorder<'_>,
+    messages: &mut Vec<String>,
+) -> Result<Statistics, Failure> {
+    let options = static_options(database, model, commands);
+    let moving = state.v.clone();
+    system.set_statics(true);
+    let found = equilibrium(system, state, &options, recorder);
+    if let Ok(report) = &found {
+        recorder.record(system, state);
+        let text = [
+            format!("Static Solution converged in {} iterations", report.iterations),
+            format!("Residual imbalance is less than {:.5E}", report.imbalance),
+        ];
+        text.iter().for_each(|line| recorder.observer.message(line));
+        messages.extend(text);
+    }
+    system.set_statics(false);
+    // A dynamic analysis after this one starts with the velocities of the model.
+    state.v = moving;
+    let report = found?;
+    initial::velocities(system, state, &[])?;
+    initial::accelerations(system, state)?;
+    Ok(report.statistics)
+}
+
+/// Kinematics: positions, velocities, accelerations and reactions at each output time.
+fn move_along(
+    system: &mut System,
+    state: &mut SystemState,
+    times: &[f64],
+    end: f64,
+    recorder: &mut Recorder<'_>,
+) -> Result<Statistics, Vec<Diagnostic>> {
+    let mut work = Statistics::default();
+    for (index, &t) in times.iter().enumerate() {
+        let step = t - state.t;
+        if index > 0 {
+            // The motion so far is the best guess of where the next position lies.
+            let guess: Vec<f64> = state.v.iter().zip(&state.a).map(|(v, a)| step * (v + 0.5 * step * a)).collect();
+            let mut q = state.q.clone();
+            system.retract(&state.q, &guess, &mut q);
+            state.q = q;
+        }
+        state.t = t;
+        let report = |f: Failure| vec![failed(&f)];
+        let assembly = initial::displacements(system, state, &[]).map_err(report)?;
+        initial::velocities(system, state, &[]).map_err(report)?;
+        initial::accelerations(system, state).map_err(report)?;
+        work.steps += usize::from(index > 0);
+        work.iterations += assembly.iterations;
+        recorder.record(system, state);
+        let progress = Progress::Time { start: recorder.start, now: t, end, step };
+        if recorder.observer.progress(&progress) == Control::Stop {
+            recorder.stopped = true;
+            break;
+        }
+    }
+    Ok(work)
+}
+
+/// Hands outputs to the observer and keeps them; notes what elements are concerned about.
+struct Recorder<'a> {
+    observer: &'a mut dyn RunObserver,
+    outputs: elements::Outputs,
+    table: Table,
+    row: Vec<f64>,
+    /// Element, what it says, how bad it was at most and when (s), in order of first appearance.
+    concerns: Vec<(String, &'static str, f64, f64)>,
+    stopped: bool,
+    start: f64,
+}
+
+impl Recorder<'_> {
+    fn record(&mut self, system: &mut System, state: &SystemState) {
+        let SystemState { t, q, v, a, lambda } = state;
+        self.outputs.evaluate(system, *t, q, v, a, lambda, &mut self.row);
+        self.table.push(&self.row);
+        self.observer.row(&self.row);
+        let now = system.state(*t, q, v, None).clone();
+        for force in system.force_list() {
+            if let Some((sentence, size)) = force.concern(&now) {
+                match self.concerns.iter_mut().find(|c| c.0 == force.name() && c.1 == sentence) {
+                    Some(known) if size > known.2 => (known.2, known.3) = (size, *t),
+                    Some(_) => {}
+                    None => {
+                        let text = format!("WARNING: {}: {sentence}, first at t = {t:.6} s", force.name());
+                        self.observer.message(&text);
+                        self.concerns.push((force.name().to_string(), sentence, size, *t));
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Observer for Recorder<'_> {
+    fn output(&mut self, dae: &mut dyn Dae, state: &SystemState) -> Control {
+        if let Some(system) = dae.as_any().and_then(|any| any.downcast_mut::<System>()) {
+            self.record(system, state);
+        }
+        Control::Continue
+    }
+
+    fn progress(&mut self, progress: &solver::Progress) -> Control {
+        let shown = if progress.end > self.start {
+            Progress::Time { start: self.start, now: progress.t, end: progress.end, step: progress.step }
+        } else {
+            Progress::Iterations { done: progress.statistics.iterations, correction: progress.step }
+        };
+        let control = self.observer.progress(&shown);
+        self.stopped |= control == Control::Stop;
+        control
+    }
+}
+
+/// One warning for each kind of concern, with all elements and sizes.
+fn concern_warnings(concerns: &[(String, &'static str, f64, f64)]) -> Vec<Diagnostic> {
+    let mut kinds: Vec<&'static str> = Vec::new();
+    for concern in concerns {
+        if !kinds.contains(&concern.1) {
+            kinds.push(concern.1);
+        }
+    }
+    kinds
+        .into_iter()
+        .map(|kind| {
+            let list: Vec<_> = concerns.iter().filter(|c| c.1 == kind).collect();
+            let text = format!("{} of the run's elements: {kind}", list.len());
+            list.iter().fold(Diagnostic::warning("run/beyond-validity", text), |d, (name, _, size, t)| {
+                d.note(format!("{name}: at most {size:.1} degrees, at t = {t:.4} s"))
+            })
+        })
+        .collect()
+}
+
+fn evaluation(error: &solver::Evaluation) -> Diagnostic {
+    Diagnostic::error("run/not-computable", error.message.clone())
+}
+
+pub(crate) fn failed(failure: &Failure) -> Diagnostic {
+    Diagnostic::error("run/failed", failure.to_string()).adams("ERROR:  Simulation failure detected.")
+}
+
+/// Lines of the verification report in Adams' wording.
+pub(crate) fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
+    elements::verify_report(database, model)
+}
