@@ -1,0 +1,207 @@
+//! What can be said on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Opens, checks, edits, simulates and plots MSC Adams models, without Adams.
+#[derive(Debug, Parser)]
+#[command(name = "flexure", version, about, propagate_version = true, arg_required_else_help = true)]
+#[command(after_help = "Exit status: 0 fine, 1 findings or a failed run, 2 wrong usage, 3 internal error, 130 interrupted.")]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Execute command files; the commands in them decide what is simulated.
+    Run(Run),
+    /// Simulate a model over time and write the results.
+    Simulate(Simulate),
+    /// Linear modes about the initial or the equilibrium state.
+    Modes(Modes),
+    /// Read and bind command files without simulating.
+    Check(Check),
+    /// Degrees of freedom, redundant constraints, and the traps of beams.
+    Verify(Verify),
+    /// Write a model in another format: .cmd to .adm or .cmd.
+    Convert(Convert),
+    /// Draw series of a results file, or a model, as SVG or PNG.
+    Plot(Plot),
+    /// Compare two results files.
+    Diff(Diff),
+    /// List what is run, what is kept but not simulated, and what is not supported.
+    Support,
+}
+
+/// Options that change a model after it is read.
+#[derive(Debug, Args)]
+pub struct Edits {
+    /// Command to execute after the model is read; can be repeated.
+    #[arg(short = 'e', long = "execute", value_name = "COMMAND")]
+    pub commands: Vec<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum OnError {
+    /// Stop the file at the first error.
+    Abort,
+    /// Drop the command and go on with the next.
+    Ignore,
+}
+
+#[derive(Debug, Args)]
+pub struct Run {
+    /// Command files (.cmd, .mac); `-` reads standard input.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub edits: Edits,
+    /// Folder for results.
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub out: PathBuf,
+    /// What happens after an error.
+    #[arg(long, value_enum, default_value = "ignore")]
+    pub on_error: OnError,
+    /// Stop at the first error and let warnings fail the run.
+    #[arg(long)]
+    pub strict: bool,
+    /// Write a journal in the layout of aview.log.
+    #[arg(long, value_name = "FILE")]
+    pub journal: Option<PathBuf>,
+    /// Record everything: parts, joints, motions and forces too.
+    #[arg(long)]
+    pub all: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Simulate {
+    /// Model (.cmd).
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub edits: Edits,
+    /// Static equilibrium first; alone: only the equilibrium.
+    #[arg(long = "static")]
+    pub statics: bool,
+    /// Kinematic analysis (no degrees of freedom).
+    #[arg(long)]
+    pub kinematic: bool,
+    /// End time, seconds.
+    #[arg(long, value_name = "T", required_unless_present = "statics")]
+    pub end: Option<f64>,
+    /// Number of output steps.
+    #[arg(long, value_name = "N", conflicts_with = "dtout")]
+    pub steps: Option<usize>,
+    /// Time between outputs, seconds.
+    #[arg(long, value_name = "H")]
+    pub dtout: Option<f64>,
+    /// Integrator by its Adams name (gstiff, si2, wstiff, hht, newmark, ...).
+    #[arg(long, value_name = "NAME")]
+    pub integrator: Option<String>,
+    /// Local error tolerance.
+    #[arg(long, value_name = "E")]
+    pub error: Option<f64>,
+    /// Largest step, seconds.
+    #[arg(long, value_name = "H")]
+    pub hmax: Option<f64>,
+    /// Results: FILE.csv, FILE.parquet or a folder.
+    #[arg(long, value_name = "PATH")]
+    pub out: PathBuf,
+    /// Record everything: parts, joints, motions and forces too.
+    #[arg(long)]
+    pub all: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Modes {
+    /// Model (.cmd).
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub edits: Edits,
+    /// About the static equilibrium.
+    #[arg(long = "static")]
+    pub statics: bool,
+    /// Write eigenvalues and shapes to FILE.csv.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Print at most N modes.
+    #[arg(long, value_name = "N", default_value_t = 40)]
+    pub most: usize,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    Text,
+    Json,
+    Github,
+    Sarif,
+    Junit,
+}
+
+#[derive(Debug, Args)]
+pub struct Check {
+    /// Command files; `-` reads standard input.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// Form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ReportFormat,
+}
+
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// Model (.cmd).
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub edits: Edits,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Mend what is certain and write the model beside the original, as NAME_fixed.cmd or to --out.
+    #[arg(long)]
+    pub fix: bool,
+    /// Where --fix writes the mended model.
+    #[arg(long, value_name = "FILE", requires = "fix")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct Convert {
+    /// Model (.cmd).
+    pub input: PathBuf,
+    /// .cmd or .adm.
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub edits: Edits,
+}
+
+#[derive(Debug, Args)]
+pub struct Plot {
+    /// Results (.csv, .parquet) or a model (.cmd).
+    pub input: PathBuf,
+    /// Picture: FILE.svg or FILE.png.
+    #[arg(short, long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Series to draw; `NAME*` takes all that begin so. Without: the first ones.
+    #[arg(short, long, value_name = "NAME")]
+    pub series: Vec<String>,
+    /// Title; without: the file's name.
+    #[arg(long)]
+    pub title: Option<String>,
+    /// Width and height in pixels, as 1000x600.
+    #[arg(long, default_value = "1000x600")]
+    pub size: String,
+}
+
+#[derive(Debug, Args)]
+pub struct Diff {
+    pub a: PathBuf,
+    pub b: PathBuf,
+    /// Largest difference, relative to the largest value of a series, that still counts as equal.
+    #[arg(long, default_value_t = 0.0)]
+    pub tolerance: f64,
+}

@@ -1,0 +1,89 @@
+//! One file for each subcommand.
+
+mod check;
+mod convert;
+mod diff;
+mod modes;
+mod plot;
+mod run;
+mod simulate;
+mod support;
+mod verify;
+
+use std::io::{IsTerminal, Read};
+use std::path::Path;
+
+use flexure::{Report, Session};
+use text::Diagnostic;
+
+use crate::arguments::{Arguments, Command, Edits};
+use crate::{Outcome, interrupt};
+
+pub(crate) fn execute(arguments: &Arguments) -> Outcome {
+    match &arguments.command {
+        Command::Run(run) => run::execute(run),
+        Command::Simulate(simulate) => simulate::execute(simulate),
+        Command::Modes(modes) => modes::execute(modes),
+        Command::Check(check) => check::execute(check),
+        Command::Verify(verify) => verify::execute(verify),
+        Command::Convert(convert) => convert::execute(convert),
+        Command::Plot(plot) => plot::execute(plot),
+        Command::Diff(diff) => diff::execute(diff),
+        Command::Support => support::execute(),
+    }
+}
+
+/// A session that stops when the user presses Ctrl-C.
+fn session() -> Session {
+    let mut session = Session::new();
+    session.set_interrupt(interrupt::flag());
+    session
+}
+
+/// Prints diagnostics to standard error.
+fn print(session: &Session, diagnostics: &[Diagnostic]) {
+    if diagnostics.is_empty() {
+        return;
+    }
+    let colour = text::use_colours(std::io::stderr().is_terminal());
+    eprint!("{}", session.render(diagnostics, colour));
+}
+
+/// A sentence on standard error, as every refusal of a subcommand.
+fn complain(sentence: impl std::fmt::Display) {
+    eprintln!("flexure: {sentence}");
+}
+
+/// Reads one input: a file, or standard input for `-`.
+fn read(session: &mut Session, path: &Path) -> Report {
+    if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        return match std::io::stdin().read_to_end(&mut bytes) {
+            Ok(_) => session.read_bytes("<standard input>", bytes),
+            Err(error) => session.unreadable(path, &error),
+        };
+    }
+    session.read(path)
+}
+
+/// Reads a model and executes the `-e` commands; prints what is to be said. False after an error.
+fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
+    let report = read(session, path);
+    print(session, &report.diagnostics);
+    let mut sound = !report.has_errors();
+    if session.model().is_none() && sound {
+        complain(format_args!("{} creates no model", path.display()));
+        return false;
+    }
+    for command in &edits.commands {
+        let report = session.execute(command);
+        print(session, &report.diagnostics);
+        sound &= !report.has_errors();
+    }
+    sound
+}
+
+/// `1 error`, `3 warnings`.
+fn count(number: usize, word: &str) -> String {
+    if number == 1 { format!("{number} {word}") } else { format!("{number} {word}s") }
+}

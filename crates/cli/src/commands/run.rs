@@ -1,0 +1,62 @@
+//! `flexure run`: executes command files; they decide what is simulated.
+
+use std::sync::PoisonError;
+
+use crate::arguments::{OnError, Run};
+use crate::commands::{complain, count, print, read, session};
+use crate::output::Target;
+use crate::progress::Watcher;
+use crate::{Outcome, interrupt};
+
+pub(super) fn execute(run: &Run) -> Outcome {
+    let mut session = session();
+    session.abort_on_error(run.strict || run.on_error == OnError::Abort);
+    session.record_everything(run.all);
+    if let Some(path) = &run.journal
+        && let Err(error) = session.keep_journal(path)
+    {
+        complain(format_args!("cannot write the journal {}: {error}", path.display()));
+        return Outcome::Findings;
+    }
+    let (watcher, log) = Watcher::new(Target::Folder(run.out.clone()));
+    session.set_observer(Box::new(watcher));
+    let (mut executed, mut errors, mut warnings) = (0, 0, 0);
+    let mut tally = |report: &flexure::Report| {
+        let refused = report.diagnostics.iter().filter(|d| d.is_error()).count().max(report.failed);
+        let warned = report.diagnostics.iter().filter(|d| !d.is_error()).count();
+        executed += report.executed;
+        errors += refused;
+        warnings += warned;
+        run.strict && refused + warned > 0
+    };
+    let mut stopped = false;
+    for file in &run.files {
+        if stopped || interrupt::requested() {
+            break;
+        }
+        let report = read(&mut session, file);
+        print(&session, &report.diagnostics);
+        stopped = tally(&report);
+    }
+    for command in &run.edits.commands {
+        if stopped || interrupt::requested() {
+            break;
+        }
+        let report = session.execute(command);
+        print(&session, &report.diagnostics);
+        stopped = tally(&report);
+    }
+    let log = log.lock().unwrap_or_else(PoisonError::into_inner);
+    log.troubles.iter().for_each(complain);
+    for path in &log.written {
+        println!("{}", path.display());
+    }
+    eprintln!("{}, {}, {}", count(executed, "command") + " executed", count(errors, "error"), count(warnings, "warning"));
+    if interrupt::requested() || log.interrupted {
+        Outcome::Interrupted
+    } else if errors > 0 || stopped || !log.troubles.is_empty() {
+        Outcome::Findings
+    } else {
+        Outcome::Fine
+    }
+}
