@@ -1,0 +1,241 @@
+//! The session and its runs, as Python sees them.
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+use flexure::{Analysis, Outputs, Report, SimulationOptions};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::{PyAttributeError, PyKeyError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+use crate::errors;
+use crate::observer::PythonObserver;
+
+/// A finished run.
+#[pyclass(frozen)]
+pub struct Run {
+    inner: flexure::Run,
+}
+
+#[pymethods]
+impl Run {
+    /// Names of the series, `time` first.
+    fn names(&self) -> Vec<String> {
+        self.inner.table.series.iter().map(|s| s.name.clone()).collect()
+    }
+
+    /// Values (shape: outputs) and unit of a series.
+    fn series<'py>(&self, py: Python<'py>, name: &str) -> PyResult<(Bound<'py, PyArray1<f64>>, String)> {
+        let series = self.inner.table.get(name).ok_or_else(|| PyKeyError::new_err(name.to_string()))?;
+        Ok((PyArray1::from_slice(py, &series.values), series.unit.clone()))
+    }
+
+    fn title(&self) -> &str {
+        &self.inner.header.title
+    }
+
+    fn messages(&self) -> Vec<String> {
+        self.inner.messages.clone()
+    }
+
+    fn interrupted(&self) -> bool {
+        self.inner.interrupted
+    }
+
+    /// Counts of the solver's work.
+    fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, count) in self.inner.counts() {
+            dict.set_item(name, count)?;
+        }
+        Ok(dict)
+    }
+
+    fn write(&self, path: PathBuf) -> PyResult<()> {
+        let file = std::io::BufWriter::new(std::fs::File::create(&path)?);
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
+            flexure::parquet::write(&self.inner.table, file)?;
+        } else {
+            flexure::results::csv::write(&self.inner.table, file)?;
+        }
+        Ok(())
+    }
+}
+
+/// One session with one or more models.
+#[pyclass]
+pub struct Session {
+    inner: flexure::Session,
+}
+
+#[pymethods]
+impl Session {
+    #[new]
+    fn new() -> Session {
+        Session { inner: flexure::Session::new() }
+    }
+
+    /// Reads a file without simulating; returns the warnings, raises on errors.
+    fn read<'py>(&mut self, py: Python<'py>, path: PathBuf) -> PyResult<Bound<'py, PyList>> {
+        self.inner.simulate_nothing(true);
+        let report = py.detach(|| self.inner.read(&path));
+        self.inner.simulate_nothing(false);
+        self.settle(py, &report)
+    }
+
+    /// Executes command text; returns the warnings, raises on errors.
+    fn execute<'py>(&mut self, py: Python<'py>, text: String) -> PyResult<Bound<'py, PyList>> {
+        let report = py.detach(|| self.inner.execute(&text));
+        self.settle(py, &report)
+    }
+
+    /// Name of the current model without dot.
+    fn model(&self) -> Option<String> {
+        self.inner.model_name()
+    }
+
+    /// Full names of all objects of a class or family, in order of creation.
+    fn objects(&self, wanted: &str) -> Vec<String> {
+        self.inner.objects(wanted)
+    }
+
+    /// Full name of an object given by full or short name.
+    fn resolve(&self, name: &str, wanted: &str) -> PyResult<String> {
+        self.inner.resolve(name, wanted).ok_or_else(|| PyKeyError::new_err(name.to_string()))
+    }
+
+    /// Names of the attributes of an object.
+    fn attributes(&self, object: &str) -> Vec<String> {
+        self.inner.attributes(object)
+    }
+
+    /// Value, unit label and expression text of an attribute, in model units.
+    fn attribute<'py>(&self, py: Python<'py>, object: &str, name: &str) -> PyResult<(Bound<'py, PyAny>, String, Option<String>)> {
+        let attribute = self
+            .inner
+            .attribute(object, name)
+            .ok_or_else(|| PyAttributeError::new_err(format!("{object} has no attribute {name}")))?;
+        let value = match attribute.value {
+            flexure::AttributeValue::None => py.None().into_bound(py),
+            flexure::AttributeValue::Number(x) => x.into_bound_py_any(py)?,
+            flexure::AttributeValue::Integer(x) => x.into_bound_py_any(py)?,
+            flexure::AttributeValue::Flag(x) => x.into_bound_py_any(py)?,
+            flexure::AttributeValue::Text(x) => x.into_bound_py_any(py)?,
+            flexure::AttributeValue::Numbers(x) => x.into_pyarray(py).into_any(),
+            flexure::AttributeValue::Texts(x) => x.into_bound_py_any(py)?,
+        };
+        Ok((value, attribute.unit, attribute.expression))
+    }
+
+    /// Sets attributes by the class's modify command; values are command text.
+    fn modify<'py>(&mut self, py: Python<'py>, object: &str, values: Vec<(String, String)>) -> PyResult<Bound<'py, PyList>> {
+        let report = self.inner.modify(object, &values);
+        self.settle(py, &report)
+    }
+
+    #[pyo3(signature = (kind, end=None, steps=None, dtout=None, integrator=None, error=None, hmax=None, all=false, progress=None))]
+    #[allow(clippy::too_many_arguments)]
+    fn simulate(
+        &mut self,
+        py: Python<'_>,
+        kind: &str,
+        end: Option<f64>,
+        steps: Option<usize>,
+        dtout: Option<f64>,
+        integrator: Option<String>,
+        error: Option<f64>,
+        hmax: Option<f64>,
+        all: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Run> {
+        let outputs = match (steps, dtout) {
+            (Some(steps), _) => Outputs::Steps(steps),
+            (None, Some(interval)) => Outputs::Interval(interval),
+            (None, None) => Outputs::Steps(100),
+        };
+        let end = end.unwrap_or(1.0);
+        let analysis = match kind {
+            "static" => Analysis::Static,
+            "kinematic" => Analysis::Kinematic { end, outputs },
+            _ => Analysis::Dynamic { end, outputs },
+        };
+        let raised = Arc::new(Mutex::new(None));
+        self.inner.set_observer(Box::new(PythonObserver { progress, raised: raised.clone() }));
+        self.inner.record_everything(all);
+        let options = SimulationOptions { analysis, integrator, error, largest_step: hmax };
+        let outcome = py.detach(|| self.inner.simulate(&options));
+        if let Some(error) = raised.lock().ok().and_then(|mut r| r.take()) {
+            return Err(error);
+        }
+        outcome.map(|inner| Run { inner }).map_err(|diagnostics| errors::raise(py, &self.inner, &diagnostics))
+    }
+
+    /// Runs that commands made (`simulation single_run ...`) since the last call.
+    fn take_runs(&mut self) -> Vec<Run> {
+        self.inner.take_runs().into_iter().map(|inner| Run { inner }).collect()
+    }
+
+    /// Modes: frequencies (Hz), damping ratios, real and imaginary parts (shape: modes), shapes
+    /// (modes x unknowns, complex as two arrays), names of the unknowns.
+    #[pyo3(signature = (statics=false))]
+    fn modes<'py>(&mut self, py: Python<'py>, statics: bool) -> PyResult<Bound<'py, PyDict>> {
+        let found = match py.detach(|| self.inner.modes(statics)) {
+            Ok(found) => found,
+            Err(diagnostics) => return Err(errors::raise(py, &self.inner, &diagnostics)),
+        };
+        let dict = PyDict::new(py);
+        let column = |f: &dyn Fn(&flexure::Mode) -> f64| PyArray1::from_iter(py, found.modes.iter().map(f));
+        dict.set_item("frequency", column(&|m| m.frequency_hz))?;
+        dict.set_item("damping_ratio", column(&|m| m.damping_ratio))?;
+        dict.set_item("real", column(&|m| m.real))?;
+        dict.set_item("imaginary", column(&|m| m.imaginary))?;
+        let shape = |f: &dyn Fn(&(f64, f64)) -> f64| -> PyResult<Bound<'py, PyArray2<f64>>> {
+            let rows: Vec<Vec<f64>> = found.modes.iter().map(|m| m.shape.iter().map(f).collect()).collect();
+            if rows.is_empty() {
+                return Ok(PyArray2::zeros(py, [0, found.unknowns.len()], false));
+            }
+            Ok(PyArray2::from_vec2(py, &rows)?)
+        };
+        dict.set_item("shape_real", shape(&|s| s.0)?)?;
+        dict.set_item("shape_imaginary", shape(&|s| s.1)?)?;
+        dict.set_item("unknowns", &found.unknowns)?;
+        Ok(dict)
+    }
+
+    /// Report lines, and findings as dictionaries with the command that mends them.
+    fn verify<'py>(&mut self, py: Python<'py>) -> PyResult<(Vec<String>, Bound<'py, PyList>)> {
+        let found = self.inner.verify();
+        let list = PyList::empty(py);
+        for finding in &found.findings {
+            let dict = errors::to_dict(py, &self.inner, &finding.diagnostic)?;
+            dict.set_item("fix", finding.fix.clone())?;
+            list.append(dict)?;
+        }
+        Ok((found.report, list))
+    }
+
+    fn undo(&mut self) -> bool {
+        self.inner.undo()
+    }
+
+    fn redo(&mut self) -> bool {
+        self.inner.redo()
+    }
+
+    fn write(&mut self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let written = self.inner.write(&path);
+        written.map_err(|diagnostics| errors::raise(py, &self.inner, &diagnostics))
+    }
+}
+
+impl Session {
+    /// Raises if there are errors; else returns the warnings.
+    fn settle<'py>(&self, py: Python<'py>, report: &Report) -> PyResult<Bound<'py, PyList>> {
+        if report.has_errors() {
+            return Err(errors::raise(py, &self.inner, &report.diagnostics));
+        }
+        errors::to_list(py, &self.inner, &report.diagnostics)
+    }
+}

@@ -1,0 +1,106 @@
+"""The Python door: reading, editing by attribute, simulating, results with units, errors."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import flexure as fx
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture
+def strip() -> fx.Model:
+    return fx.read(EXAMPLES / "cantilever" / "cantilever.cmd")
+
+
+def test_beams_have_the_command_s_parameters_as_attributes(strip):
+    beam = strip.beams["beam_2"]
+    assert beam.length == 250.0
+    assert beam.unit("youngs_modulus") == "newton/mm**2"
+    assert {"ixx", "iyy", "izz", "damping_ratio", "formulation"} <= set(dir(beam))
+    assert beam.formulation == "linear"
+
+
+def test_setting_an_attribute_is_a_command_that_can_be_undone(strip):
+    beam = strip.beams["beam_2"]
+    beam.youngs_modulus = 1.0e5
+    assert strip.beams["beam_2"].youngs_modulus == 1.0e5
+    beam.youngs_modulus = "7.1e10(newton/meter**2)"
+    assert beam.youngs_modulus == pytest.approx(7.1e4, rel=1e-14)  # rounding of the unit factor
+    assert strip.undo() and strip.undo()
+    assert beam.youngs_modulus == 2.07e5
+
+
+def test_equilibrium_bends_like_beam_theory(strip):
+    strip.execute("force modify direct single_component_force single_component_force_name = tip_force function = \"-1.0\"")
+    strip.beams["beam_1"].modify(area_of_cross_section=200.0, iyy=20 * 10**3 / 12, izz=10 * 20**3 / 12)
+    run = strip.equilibrium()
+    # truth: P L^3 / 3 E I + 1.2 P L / G A; the closed form is linear, deflection / length is 1e-3
+    assert run["TIP.Z"][-1] == pytest.approx(-0.9662583574879227, rel=2e-5)
+    assert run["TIP.Z"].unit == "mm"
+    assert run["TIP", "Z"][-1] == run["TIP.Z"][-1]
+
+
+def test_simulation_gives_arrays_with_units(strip):
+    run = strip.simulate(end=0.01, steps=10)
+    assert run.time == pytest.approx(np.linspace(0, 0.01, 11), abs=1e-15)
+    assert run["ROOT.X"].unit == "newton"
+    assert run.statistics["steps"] >= 10
+
+
+def test_modes_of_the_strip(strip):
+    modes = strip.modes()
+    assert len(modes.frequency) == 24
+    assert np.all(np.diff(modes.frequency) >= -1e-9 * modes.frequency[:-1])
+    assert modes.shapes.shape == (24, len(modes.unknowns))
+
+
+def test_a_refused_command_raises_with_its_diagnostics_and_changes_nothing(strip):
+    with pytest.raises(fx.FlexureError) as caught:
+        strip.execute("force modify element_like beam beam_name = beam_1 yongs_modulus = 3")
+    diagnostic = caught.value.diagnostics[0]
+    assert diagnostic.code == "command/unknown-argument"
+    assert any("youngs_modulus" in h for h in diagnostic.helps)
+    assert strip.beams["beam_1"].youngs_modulus == 2.07e5
+
+
+def test_unknown_names_are_key_and_attribute_errors(strip):
+    with pytest.raises(KeyError):
+        strip.beams["beam_99"]
+    with pytest.raises(AttributeError):
+        strip.beams["beam_1"].colour_of_the_day
+    with pytest.raises(AttributeError):
+        strip.beams["beam_1"].yongs_modulus = 3
+
+
+def test_progress_can_stop_a_run(strip):
+    class Enough(Exception):
+        pass
+
+    def stop(done, _sentence):
+        if done > 0.2:
+            raise Enough
+
+    with pytest.raises(Enough):
+        strip.simulate(end=0.1, steps=100, progress=stop)
+
+
+def test_files_are_written(strip, tmp_path):
+    strip.write(tmp_path / "strip.adm")
+    assert "BEAM/" in (tmp_path / "strip.adm").read_text()
+    strip.write(tmp_path / "strip.cmd")
+    again = fx.read(tmp_path / "strip.cmd")
+    assert list(again.beams) == list(strip.beams)
+    strip.equilibrium().to_csv(tmp_path / "run.csv")
+    assert (tmp_path / "run.csv").read_text().startswith("time,")
+
+
+def test_a_swapped_beam_is_found_with_the_command_that_mends_it(strip):
+    beam = strip.beams["beam_3"]
+    i, j = beam.i_marker_name, beam.j_marker_name
+    beam.modify(i_marker_name=j, j_marker_name=i)
+    finding = next(f for f in strip.verify() if "beam_3" in f.diagnostic.message)
+    strip.execute(finding.fix)
+    assert not [f for f in strip.verify() if "beam_3" in f.diagnostic.message]
