@@ -124,8 +124,13 @@ fn frame_of(database: &Database, owner: ObjectId, field: &Field, evaluator: &mut
     evaluator.read(CellKey::new(owner, cell));
     let parent = parent(database, owner);
     if Some(from) != parent && from != owner {
-        evaluator.pose(Some(from));
-        evaluator.pose(parent);
+        if field.kind == Kind::Orientation {
+            evaluator.turn(Some(from));
+            evaluator.turn(parent);
+        } else {
+            evaluator.pose(Some(from));
+            evaluator.pose(parent);
+        }
         return Some(from);
     }
     None

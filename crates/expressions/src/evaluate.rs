@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use glam::{DMat3, DVec3};
 use model::{Array, CellKey, Expression, Node, ObjectId, Pose, Value};
 use schema::{Dimension, parse_unit_expression};
 use text::Diagnostic;
@@ -171,6 +172,32 @@ impl<'a> Evaluator<'a> {
             self.read(cell);
         }
         self.scope.database.global_pose(frame)
+    }
+
+    /// The global origin of a frame. How the frame itself is turned does not move it and is not
+    /// noted as read, so that an orientation may aim at the origin of its own marker.
+    pub fn origin(&mut self, frame: Option<ObjectId>) -> DVec3 {
+        let Some(frame) = frame else { return DVec3::ZERO };
+        let database = self.scope.database;
+        let own_turn = database.object(frame).class.cell_index("orientation").map(|c| CellKey::new(frame, c));
+        for cell in database.pose_reads(frame) {
+            if Some(cell) != own_turn {
+                self.read(cell);
+            }
+        }
+        database.global_pose(frame).origin
+    }
+
+    /// How a frame is turned in global axes; where it is does not matter and is not noted as read.
+    pub fn turn(&mut self, frame: Option<ObjectId>) -> DMat3 {
+        let Some(frame) = frame else { return DMat3::IDENTITY };
+        let database = self.scope.database;
+        for cell in database.pose_reads(frame) {
+            if database.object(cell.object).class.field(cell.cell as usize).name == "orientation" {
+                self.read(cell);
+            }
+        }
+        database.global_pose(frame).rotation
     }
 }
 

@@ -112,3 +112,30 @@ fn a_list_may_be_partly_expressions() {
     assert_eq!(computed.value.as_numbers().unwrap(), [10.0, 14.0, 0.0]);
     assert_eq!(computed.reads, [key(&f.db, a, "real_value")]);
 }
+
+/// A marker may aim from its own origin, and then its location may not follow its orientation.
+#[test]
+fn an_orientation_may_aim_from_the_origin_of_its_own_marker() {
+    let mut f = fixture();
+    let m1 = f.m1;
+    let name = f.db.full_name(m1);
+    set(&mut f.db, m1, "orientation", &format!("ORI_ALONG_AXIS({name}, .m.ground.ref, \"x\")")).unwrap();
+    let aim =
+        (f.db.global_pose(f.db.find(".m.ground.ref", "any").unwrap()).origin - f.db.global_pose(m1).origin).normalize();
+    assert!((f.db.global_pose(m1).rotation.col(0) - aim).length() < 1e-12, "{aim}");
+    let circle = f.db.transaction(|db| set(db, m1, "location", &format!("LOC_X_AXIS({name})"))).unwrap_err();
+    assert_eq!(circle.code, "expression/circle");
+}
+
+/// Two markers may share an origin and an aim: the origin of a frame does not follow its turn.
+#[test]
+fn the_origin_of_a_frame_does_not_follow_its_turn() {
+    let mut f = fixture();
+    let (m1, reference) = (f.m1, f.db.find(".m.ground.ref", "any").unwrap());
+    let name = f.db.full_name(m1);
+    set(&mut f.db, reference, "orientation", &format!("ORI_ALONG_AXIS(.m.ground, {name}, \"x\")")).unwrap();
+    set(&mut f.db, m1, "location", "LOC_RELATIVE_TO({0,0,0}, .m.ground.ref)").unwrap();
+    let circle = f.db.transaction(|db| set(db, m1, "location", "LOC_RELATIVE_TO({1,0,0}, .m.ground.ref)")).unwrap_err();
+    assert_eq!(circle.code, "expression/circle");
+    assert!((f.db.global_pose(m1).origin - f.db.global_pose(reference).origin).length() < 1e-12);
+}

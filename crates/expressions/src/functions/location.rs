@@ -45,7 +45,7 @@ pub(super) fn normal(points: [DVec3; 3], a: &Arguments) -> Outcome<DVec3> {
 }
 
 fn along_line(a: &mut Arguments) -> Outcome<Value> {
-    let (from, to) = (a.frame(0)?.origin, a.frame(1)?.origin);
+    let (from, to) = (a.origin(0)?, a.origin(1)?);
     location(from + a.number(2)? * direction(from, to, a)?)
 }
 
@@ -73,9 +73,19 @@ fn plane_mirror(a: &mut Arguments) -> Outcome<Value> {
     location(point - 2.0 * (point - plane[0]).dot(normal) * normal)
 }
 
+/// A point given in a frame, in global coordinates. The origin of the frame stays where it is
+/// however the frame is turned, so its turn is not noted as read then.
+fn in_global(a: &mut Arguments, point: DVec3, frame: usize) -> Outcome<DVec3> {
+    if point == DVec3::ZERO {
+        return a.origin(frame);
+    }
+    let frame = a.frame(frame)?;
+    Ok(frame.origin + frame.rotation * point)
+}
+
 fn global(a: &mut Arguments) -> Outcome<Value> {
-    let (point, frame) = (a.vector(0)?, a.frame(1)?);
-    location(frame.origin + frame.rotation * point)
+    let point = a.vector(0)?;
+    location(in_global(a, point, 1)?)
 }
 
 fn local(a: &mut Arguments) -> Outcome<Value> {
@@ -84,8 +94,9 @@ fn local(a: &mut Arguments) -> Outcome<Value> {
 }
 
 fn transformed(a: &mut Arguments) -> Outcome<DVec3> {
-    let (point, from, to) = (a.vector(0)?, a.frame(1)?, a.frame(2)?);
-    Ok(to.rotation.transpose() * (from.origin + from.rotation * point - to.origin))
+    let point = a.vector(0)?;
+    let (point, to) = (in_global(a, point, 1)?, a.frame(2)?);
+    Ok(to.rotation.transpose() * (point - to.origin))
 }
 
 fn loc_loc(a: &mut Arguments) -> Outcome<Value> {
@@ -102,8 +113,12 @@ fn inline(a: &mut Arguments) -> Outcome<Value> {
 }
 
 fn relative_to(a: &mut Arguments) -> Outcome<Value> {
-    let (point, frame) = (a.vector(0)?, a.frame(1)?);
-    let owner = a.owner_frame();
+    let (point, owner) = (a.vector(0)?, a.owner_frame());
+    if point == DVec3::ZERO {
+        let origin = a.origin(1)?;
+        return location(owner.rotation.transpose() * (origin - owner.origin));
+    }
+    let frame = a.frame(1)?;
     if owner == frame {
         return location(point);
     }
@@ -128,6 +143,6 @@ fn perpendicular(a: &mut Arguments) -> Outcome<Value> {
 }
 
 fn axis(a: &mut Arguments, axis: usize) -> Outcome<Value> {
-    let frame = a.frame(0)?;
-    location(frame.rotation.col(axis))
+    let frame = a.turn(0)?;
+    location(frame.col(axis))
 }

@@ -248,18 +248,40 @@ impl Arguments<'_, '_> {
 
     /// Global pose of a frame; 0 and (none) mean the global frame itself.
     pub fn frame(&mut self, i: usize) -> Outcome<Pose> {
+        let frame = self.frame_object(i)?;
+        Ok(self.evaluator.pose(frame))
+    }
+
+    /// Global origin of a frame, for functions that do not care how it is turned.
+    pub fn origin(&mut self, i: usize) -> Outcome<DVec3> {
+        let frame = self.frame_object(i)?;
+        Ok(self.evaluator.origin(frame))
+    }
+
+    /// Global rotation of a frame, for functions that do not care where it is.
+    pub fn turn(&mut self, i: usize) -> Outcome<DMat3> {
+        let frame = self.frame_object(i)?;
+        Ok(self.evaluator.turn(frame))
+    }
+
+    fn frame_object(&self, i: usize) -> Outcome<Option<ObjectId>> {
         let value = self.value(i)?;
         if *value == Value::Nothing || value.as_number() == Some(0.0) {
-            return Ok(Pose::GLOBAL);
+            return Ok(None);
         }
-        let object = self.object(i)?;
-        Ok(self.evaluator.pose(Some(object)))
+        self.object(i).map(Some)
     }
 
     /// Global pose of the frame in which the expression's owner is stored.
     pub fn owner_frame(&mut self) -> Pose {
         let frame = self.evaluator.scope.owner_frame();
         self.evaluator.pose(frame)
+    }
+
+    /// How the frame is turned in which the expression's owner is stored.
+    pub fn owner_turn(&mut self) -> DMat3 {
+        let frame = self.evaluator.scope.owner_frame();
+        self.evaluator.turn(frame)
     }
 
     /// One of the axes x, y, z as 0, 1, 2.

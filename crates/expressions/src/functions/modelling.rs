@@ -25,21 +25,21 @@ pub const TABLE: &[Function] = &[
 
 /// From the second frame to the first, in global axes.
 fn displacement(a: &mut Arguments) -> Outcome<glam::DVec3> {
-    let to = a.frame(0)?.origin;
-    let from = if a.len() > 1 { a.frame(1)?.origin } else { glam::DVec3::ZERO };
+    let to = a.origin(0)?;
+    let from = if a.len() > 1 { a.origin(1)? } else { glam::DVec3::ZERO };
     Ok(to - from)
 }
 
 fn component(a: &mut Arguments, axis: usize) -> Outcome<Value> {
     let difference = displacement(a)?;
-    let axes = if a.len() > 2 { a.frame(2)?.rotation } else { glam::DMat3::IDENTITY };
+    let axes = if a.len() > 2 { a.turn(2)? } else { glam::DMat3::IDENTITY };
     real(axes.col(axis).dot(difference))
 }
 
 /// An angle (rad) of the first frame seen from the second, in the current angle unit.
 fn turn(a: &mut Arguments, angle: impl Fn(&glam::DMat3) -> f64) -> Outcome<Value> {
-    let object = a.frame(0)?.rotation;
-    let reference = if a.len() > 1 { a.frame(1)?.rotation } else { glam::DMat3::IDENTITY };
+    let object = a.turn(0)?;
+    let reference = if a.len() > 1 { a.turn(1)? } else { glam::DMat3::IDENTITY };
     real(angle(&(reference.transpose() * object)) / a.angle_unit())
 }
 

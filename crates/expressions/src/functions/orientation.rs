@@ -21,17 +21,17 @@ pub const TABLE: &[Function] = &[
     function("ORI_FRAME_MIRROR", 4, 4, mirror),
     function("ORI_GLOBAL", 2, 2, |a| {
         let rotation = a.rotation(0)?;
-        orientation(&(a.frame(1)?.rotation * rotation), a)
+        orientation(&(a.turn(1)? * rotation), a)
     }),
     function("ORI_IN_PLANE", 4, 4, in_plane),
     function("ORI_LOCAL", 2, 2, |a| {
         let rotation = a.rotation(0)?;
-        orientation(&(a.frame(1)?.rotation.transpose() * rotation), a)
+        orientation(&(a.turn(1)?.transpose() * rotation), a)
     }),
     function("ORI_MIRROR", 4, 4, mirror),
     function("ORI_ONE_AXIS", 2, 2, one_axis),
     function("ORI_ORI", 3, 3, |a| {
-        let (rotation, from, to) = (a.rotation(0)?, a.frame(1)?.rotation, a.frame(2)?.rotation);
+        let (rotation, from, to) = (a.rotation(0)?, a.turn(1)?, a.turn(2)?);
         orientation(&(to.transpose() * from * rotation), a)
     }),
     function("ORI_PLANE_MIRROR", 3, 3, plane_mirror),
@@ -40,17 +40,17 @@ pub const TABLE: &[Function] = &[
 
 /// A global rotation as angles in the frame of the owner.
 fn for_owner(rotation: &DMat3, a: &mut Arguments) -> Outcome<Value> {
-    let owner = a.owner_frame();
-    orientation(&(owner.rotation.transpose() * *rotation), a)
+    let owner = a.owner_turn();
+    orientation(&(owner.transpose() * *rotation), a)
 }
 
 fn relative_to(a: &mut Arguments) -> Outcome<Value> {
-    let (rotation, frame) = (a.rotation(0)?, a.frame(1)?);
-    let owner = a.owner_frame();
-    if owner.rotation == frame.rotation {
+    let (rotation, frame) = (a.rotation(0)?, a.turn(1)?);
+    let owner = a.owner_turn();
+    if owner == frame {
         return Ok(a.values[0].clone());
     }
-    orientation(&(owner.rotation.transpose() * frame.rotation * rotation), a)
+    orientation(&(owner.transpose() * frame * rotation), a)
 }
 
 /// Rotation whose columns are x, y, z, from two of them at given places.
@@ -86,7 +86,7 @@ fn aligned(base: &DMat3, arguments: &Arguments) -> Outcome<DMat3> {
 }
 
 fn align_axis(a: &mut Arguments) -> Outcome<Value> {
-    let frame = a.frame(0)?.rotation;
+    let frame = a.turn(0)?;
     let rotation = aligned(&frame, a)?;
     for_owner(&rotation, a)
 }
@@ -100,7 +100,7 @@ fn directed(axis: usize, direction: DVec3) -> DMat3 {
 }
 
 fn along_axis(a: &mut Arguments) -> Outcome<Value> {
-    let (from, to, axis) = (a.frame(0)?.origin, a.frame(1)?.origin, a.axis(2)?);
+    let (from, to, axis) = (a.origin(0)?, a.origin(1)?, a.axis(2)?);
     let rotation = directed(axis, direction(from, to, a)?);
     for_owner(&rotation, a)
 }
@@ -128,7 +128,7 @@ fn all_axes(a: &mut Arguments) -> Outcome<Value> {
 
 /// `z_zx`: the z axis is directed, the zx plane holds the third point.
 fn in_plane(a: &mut Arguments) -> Outcome<Value> {
-    let points = [a.frame(0)?.origin, a.frame(1)?.origin, a.frame(2)?.origin];
+    let points = [a.origin(0)?, a.origin(1)?, a.origin(2)?];
     let text = a.text(3)?.trim().to_ascii_lowercase();
     let axis = |letter: u8| (b'x'..=b'z').contains(&letter).then(|| usize::from(letter - b'x'));
     let axes = match *text.as_bytes() {
@@ -151,8 +151,8 @@ fn reflected(rotation: &DMat3, normal: DVec3, (i, j): (usize, usize)) -> DMat3 {
 }
 
 fn mirror(a: &mut Arguments) -> Outcome<Value> {
-    let (rotation, frame, (p, q), axes) = (a.rotation(0)?, a.frame(1)?, a.two_axes(2)?, a.two_axes(3)?);
-    let rotation = reflected(&rotation, frame.rotation.col(3 - p - q), axes);
+    let (rotation, frame, (p, q), axes) = (a.rotation(0)?, a.turn(1)?, a.two_axes(2)?, a.two_axes(3)?);
+    let rotation = reflected(&rotation, frame.col(3 - p - q), axes);
     orientation(&rotation, a)
 }
 

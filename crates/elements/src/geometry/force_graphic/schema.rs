@@ -8,7 +8,7 @@ pub const CLASS: Class = Class {
     id: "force_graphic",
     word: "Force_Graphic",
     families: &["geometry", "shape"],
-    parents: &["part", "ground", "point_mass"],
+    parents: &["part", "ground", "point_mass", "model"],
     prefix: "FORCE_GRAPHIC_",
     statement: Some("GRAPHICS"),
     groups: &[
