@@ -211,7 +211,7 @@ force modify element_like beam  &
 simulation single_run equilibrium  &
    model_name = .cantilever
 !
-! The tip force taken away: the strip swings.
+! The tip force taken away after an equilibrium with it: the strip swings.
 force modify direct single_component_force  &
    single_component_force_name = .cantilever.tip_force  &
    function = "-STEP(TIME, 0.0, 1.0, 1.0E-06, 0.0)"
@@ -219,5 +219,6 @@ force modify direct single_component_force  &
 simulation single_run transient  &
    model_name = .cantilever  &
    type = dynamic  &
+   initial_static = yes  &
    end_time = 0.5  &
    number_of_steps = 500

@@ -7,7 +7,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 /// Opens, checks, edits, simulates and plots MSC Adams models, without Adams.
 #[derive(Debug, Parser)]
 #[command(name = "flexure", version, about, propagate_version = true, arg_required_else_help = true)]
-#[command(after_help = "Exit status: 0 fine, 1 findings or a failed run, 2 wrong usage, 3 internal error, 130 interrupted.")]
+#[command(
+    after_help = "Exit status: 0 fine, 1 findings or a failed run, 2 wrong usage, 3 internal error, 130 interrupted."
+)]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,

@@ -69,7 +69,8 @@ impl RunObserver for Watcher {
             return;
         }
         let bar = ProgressBar::new(1000);
-        if let Ok(style) = ProgressStyle::with_template("{prefix} {bar:30} {percent:>3}% {msg} [{elapsed} left {eta}]") {
+        if let Ok(style) = ProgressStyle::with_template("{prefix} {bar:30} {percent:>3}% {msg} [{elapsed} left {eta}]")
+        {
             bar.set_style(style);
         }
         bar.set_prefix(header.title.clone());
@@ -106,6 +107,11 @@ impl RunObserver for Watcher {
             bar.finish_and_clear();
         }
         self.note(|log| log.interrupted |= run.interrupted);
+        if !run.diagnostics.is_empty() {
+            let colours = text::use_colours(std::io::stderr().is_terminal());
+            let form = text::Format::Terminal { colours };
+            eprint!("{}", text::render(&text::Sources::default(), &run.diagnostics, form));
+        }
         if let Some((path, _)) = self.stream.take() {
             let target = self.target.final_path(&path);
             if target == path {

@@ -27,6 +27,6 @@ pub use relative::{
     Relative, apply_between, apply_following, load_of_reaction, relative, tangent_between, tangent_following,
 };
 pub use scalar::{ScalarAction, apply_scalar, scalar_load, tangent_gradient, tangent_scalar};
-pub use sockets::{Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
+pub use sockets::{Concern, Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
 pub use state::{Axis, Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};
 pub use system::{EquationRow, System};

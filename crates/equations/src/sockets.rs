@@ -43,6 +43,17 @@ pub trait Tangent {
     fn add(&mut self, row: BodyId, column: BodyId, block: &[[f64; 6]; 6]);
 }
 
+/// A trouble with the present state that the user should know.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Concern {
+    /// What is wrong, to be read behind the element's name: `bent beyond what ... describes`.
+    pub sentence: &'static str,
+    /// How bad it is, in `unit`; grows with the trouble.
+    pub size: f64,
+    /// `degrees`, `mm`.
+    pub unit: &'static str,
+}
+
 /// An element that applies loads.
 pub trait Force: Send + Sync {
     /// Full name in the model.
@@ -61,9 +72,8 @@ pub trait Force: Send + Sync {
     fn energy(&self, _state: &State) -> f64 {
         0.0
     }
-    /// Troubles with the present state that the user should know (angles beyond validity, ...):
-    /// a short sentence and a size that grows with the trouble; asked once per output step.
-    fn concern(&self, _state: &State) -> Option<(&'static str, f64)> {
+    /// A trouble with the present state (angles beyond validity, ...); asked at each output.
+    fn concern(&self, _state: &State) -> Option<Concern> {
         None
     }
 }
@@ -132,7 +142,7 @@ pub trait Constraint: Send + Sync {
     fn load_at(&self, state: &State, lambda: &[f64], side: Side) -> FrameLoad;
     fn frame(&self, side: Side) -> Option<FrameId>;
     /// Troubles with the present state, as in [`Force::concern`]: axes that point opposite ways.
-    fn concern(&self, _state: &State) -> Option<(&'static str, f64)> {
+    fn concern(&self, _state: &State) -> Option<Concern> {
         None
     }
 }

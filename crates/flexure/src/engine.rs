@@ -98,14 +98,20 @@ impl Engine {
     ) -> Result<(), Vec<Diagnostic>> {
         self.count += 1;
         let from = self.left_state(database, model).map(|left| left.state.clone());
-        let simulation = Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
+        let simulation =
+            Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
         let (run, state) = simulate::run(simulation, self.observer.as_mut())?;
         self.left = Some(Left { model, revision: database.revision(), state });
         self.runs.push(run);
         Ok(())
     }
 
-    pub fn modes(&mut self, database: &Database, model: ObjectId, statics: bool) -> Result<ModesReport, Vec<Diagnostic>> {
+    pub fn modes(
+        &mut self,
+        database: &Database,
+        model: ObjectId,
+        statics: bool,
+    ) -> Result<ModesReport, Vec<Diagnostic>> {
         let from = self.left_state(database, model).map(|left| left.state.clone());
         modes::find(database, model, from, statics, self.observer.as_mut())
     }
@@ -132,7 +138,9 @@ impl Engine {
     pub fn resolve(&self, path: &str) -> PathBuf {
         let given = PathBuf::from(path);
         match &self.folder {
-            Some(folder) if given.is_relative() && !given.exists() && folder.join(&given).exists() => folder.join(given),
+            Some(folder) if given.is_relative() && !given.exists() && folder.join(&given).exists() => {
+                folder.join(given)
+            }
             _ => given,
         }
     }
@@ -149,7 +157,8 @@ fn dataset_text(database: &mut Database, model: ObjectId) -> Result<String, Vec<
 /// and in that marker's axes.
 fn geometric_mass(database: &Database, part: ObjectId) -> Option<dataset::Mass> {
     let properties = elements::geometry::mass_properties(database, part).ok().flatten()?;
-    let centre = database.reference(part, "center_of_mass_marker").or_else(|| database.child(Some(part), "cm", "marker"));
+    let centre =
+        database.reference(part, "center_of_mass_marker").or_else(|| database.child(Some(part), "cm", "marker"));
     let axes = centre.map_or(glam::DMat3::IDENTITY, |marker| database.local_pose(marker).rotation);
     let inertia = properties.inertia_along(&axes);
     let units = database.units();

@@ -40,9 +40,12 @@ impl ModesReport {
             format!("E I G E N V A L U E S  at time = {:.5E}", self.time),
             format!("{:>8} {:>20} {:>20}", "Number", "Real(cycles/second)", "Imag.(cycles/second)"),
         ];
-        lines.extend(self.modes.iter().enumerate().map(|(index, m)| {
-            format!("{:>8} {:>20.9E} {:>20.9E}", index + 1, cycles(m.real), cycles(m.imaginary))
-        }));
+        lines.extend(
+            self.modes
+                .iter()
+                .enumerate()
+                .map(|(index, m)| format!("{:>8} {:>20.9E} {:>20.9E}", index + 1, cycles(m.real), cycles(m.imaginary))),
+        );
         lines
     }
 }

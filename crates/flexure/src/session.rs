@@ -101,7 +101,9 @@ impl Session {
         let lines = journal.lines_from(target.written);
         let text: String = lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect();
         if let Err(error) = target.file.write_all(text.as_bytes()).and_then(|()| target.file.flush()) {
-            report.diagnostics.push(Diagnostic::warning("file/cannot-write", format!("cannot write the journal: {error}")));
+            report
+                .diagnostics
+                .push(Diagnostic::warning("file/cannot-write", format!("cannot write the journal: {error}")));
             self.journal = None;
             return;
         }

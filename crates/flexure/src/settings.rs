@@ -34,13 +34,25 @@ impl Outputs {
 pub enum Analysis {
     /// Static equilibrium at the present time.
     Static,
-    Dynamic { end: f64, outputs: Outputs },
+    Dynamic {
+        end: f64,
+        outputs: Outputs,
+    },
     /// No degree of freedom is left.
-    Kinematic { end: f64, outputs: Outputs },
+    Kinematic {
+        end: f64,
+        outputs: Outputs,
+    },
     /// Static equilibria over a range of time.
-    QuasiStatic { end: f64, outputs: Outputs },
+    QuasiStatic {
+        end: f64,
+        outputs: Outputs,
+    },
     /// Kinematic if no degree of freedom is left, dynamic otherwise.
-    Auto { end: f64, outputs: Outputs },
+    Auto {
+        end: f64,
+        outputs: Outputs,
+    },
     /// Initial conditions only.
     Assemble,
 }

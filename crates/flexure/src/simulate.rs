@@ -1,7 +1,7 @@
 //! One run from model to results: lowering, redundant constraints, initial conditions, analysis.
 
 use elements::{Lowered, Options};
-use equations::System;
+use equations::{Concern, System};
 use model::{Database, ObjectId};
 use results::Table;
 use solver::redundancy::{self, SparseRows};
@@ -63,14 +63,7 @@ pub(crate) fn run(
     let settings = (database, model, simulation.options, simulation.settings);
     let outcome = analyse(analysis, &mut system, &mut state, settings, &mut recorder, &mut messages);
     let Recorder { table, concerns, stopped, observer, .. } = recorder;
-    let mut run = Run {
-        header,
-        table,
-        statistics: Statistics::default(),
-        messages,
-        diagnostics,
-        interrupted: stopped,
-    };
+    let mut run = Run { header, table, statistics: Statistics::default(), messages, diagnostics, interrupted: stopped };
     run.diagnostics.extend(concern_warnings(&concerns));
     match outcome {
         Ok(statistics) => {
@@ -122,8 +115,7 @@ fn switch_off_redundant(system: &mut System, state: &SystemState) -> Result<Vec<
         entries.sort_by_key(|e| e.0);
         entries
     };
-    let sparse =
-        SparseRows { columns: system.velocities(), rows: rows.iter().map(|r| sorted(&r.entries)).collect() };
+    let sparse = SparseRows { columns: system.velocities(), rows: rows.iter().map(|r| sorted(&r.entries)).collect() };
     let mut named = Vec::new();
     for found in redundancy::find(&sparse, &[], redundancy::TOLERANCE) {
         let row = &rows[found.row];
@@ -169,7 +161,9 @@ fn titles(analysis: Analysis) -> (&'static str, String) {
     match analysis {
         Analysis::Static => ("static", "static equilibrium".into()),
         Analysis::Assemble => ("assemble", "initial conditions".into()),
-        Analysis::Dynamic { end, .. } | Analysis::Auto { end, .. } => ("dynamic", format!("dynamic simulation to {end} s")),
+        Analysis::Dynamic { end, .. } | Analysis::Auto { end, .. } => {
+            ("dynamic", format!("dynamic simulation to {end} s"))
+        }
         Analysis::Kinematic { end, .. } => ("kinematic", format!("kinematic simulation to {end} s")),
         Analysis::QuasiStatic { end, .. } => ("quasi_static", format!("static solutions to {end} s")),
     }
@@ -191,13 +185,16 @@ fn analyse(
             recorder.record(system, state);
             Ok(Statistics::default())
         }
-        Analysis::Static => balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f)),
+        Analysis::Static => {
+            balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))
+        }
         Analysis::QuasiStatic { end, outputs } => {
             let mut total = Statistics::default();
             for t in times(outputs, state.t, end)? {
                 state.t = t;
                 initial::displacements(system, state, &[]).map_err(|f| report(&f))?;
-                let work = balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))?;
+                let work =
+                    balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))?;
                 total.iterations += work.iterations;
                 total.factorisations += work.factorisations;
                 if recorder.stopped {
@@ -206,7 +203,9 @@ fn analyse(
             }
             Ok(total)
         }
-        Analysis::Kinematic { end, outputs } => move_along(system, state, &times(outputs, state.t, end)?, end, recorder),
+        Analysis::Kinematic { end, outputs } => {
+            move_along(system, state, &times(outputs, state.t, end)?, end, recorder)
+        }
         Analysis::Dynamic { end, outputs } | Analysis::Auto { end, outputs } => {
             let times = times(outputs, state.t, end)?;
             let (chosen, note) = integrator_options(database, model, options, commands)?;
@@ -303,8 +302,8 @@ struct Recorder<'a> {
     outputs: elements::Outputs,
     table: Table,
     row: Vec<f64>,
-    /// Element, what it says, how bad it was at most and when (s), in order of first appearance.
-    concerns: Vec<(String, &'static str, f64, f64)>,
+    /// What elements were concerned about, in order of first appearance.
+    concerns: Vec<Noted>,
     stopped: bool,
     start: f64,
 }
@@ -315,18 +314,13 @@ impl Recorder<'_> {
         self.outputs.evaluate(system, *t, q, v, a, lambda, &mut self.row);
         self.table.push(&self.row);
         self.observer.row(&self.row);
-        let now = system.state(*t, q, v, None).clone();
-        for force in system.force_list() {
-            if let Some((sentence, size)) = force.concern(&now) {
-                match self.concerns.iter_mut().find(|c| c.0 == force.name() && c.1 == sentence) {
-                    Some(known) if size > known.2 => (known.2, known.3) = (size, *t),
-                    Some(_) => {}
-                    None => {
-                        let text = format!("WARNING: {}: {sentence}, first at t = {t:.6} s", force.name());
-                        self.observer.message(&text);
-                        self.concerns.push((force.name().to_string(), sentence, size, *t));
-                    }
-                }
+        system.state(*t, q, v, None);
+        let now = system.last_state();
+        let forces = system.force_list().iter().map(|f| (f.name(), f.concern(now)));
+        let constraints = system.constraint_list().iter().map(|c| (c.name(), c.concern(now)));
+        for (index, (name, concern)) in forces.chain(constraints).enumerate() {
+            if let Some(concern) = concern {
+                note(&mut self.concerns, self.observer, index, name, concern, *t);
             }
         }
     }
@@ -352,24 +346,50 @@ impl Observer for Recorder<'_> {
     }
 }
 
-/// One warning for each kind of concern, with all elements and sizes.
-fn concern_warnings(concerns: &[(String, &'static str, f64, f64)]) -> Vec<Diagnostic> {
-    let mut kinds: Vec<&'static str> = Vec::new();
-    for concern in concerns {
-        if !kinds.contains(&concern.1) {
-            kinds.push(concern.1);
+/// What one element was concerned about, at its worst.
+struct Noted {
+    /// Which force or constraint of the system.
+    index: usize,
+    name: String,
+    concern: Concern,
+    /// When it was worst, s.
+    time: f64,
+}
+
+/// Keeps a concern if it is new or worse than before; a new one is said at once.
+fn note(noted: &mut Vec<Noted>, observer: &mut dyn RunObserver, index: usize, name: &str, concern: Concern, time: f64) {
+    match noted.iter_mut().find(|n| n.index == index) {
+        Some(known) if concern.size > known.concern.size => (known.concern, known.time) = (concern, time),
+        Some(_) => {}
+        None => {
+            let Concern { sentence, size, unit } = concern;
+            observer.message(&format!("WARNING: {name}: {sentence} ({size:.1} {unit}), first at t = {time:.6} s"));
+            noted.push(Noted { index, name: name.to_string(), concern, time });
         }
     }
-    kinds
-        .into_iter()
-        .map(|kind| {
-            let list: Vec<_> = concerns.iter().filter(|c| c.1 == kind).collect();
-            let text = format!("{} of the run's elements: {kind}", list.len());
-            list.iter().fold(Diagnostic::warning("run/beyond-validity", text), |d, (name, _, size, t)| {
-                d.note(format!("{name}: at most {size:.1} degrees, at t = {t:.4} s"))
-            })
+}
+
+/// One warning for each kind of concern, with all elements and sizes.
+fn concern_warnings(noted: &[Noted]) -> Vec<Diagnostic> {
+    let mut kinds: Vec<&'static str> = Vec::new();
+    for Noted { concern, .. } in noted {
+        if !kinds.contains(&concern.sentence) {
+            kinds.push(concern.sentence);
+        }
+    }
+    let warning = |kind: &'static str| {
+        let of_kind: Vec<&Noted> = noted.iter().filter(|n| n.concern.sentence == kind).collect();
+        let names = if of_kind.len() == 1 { "1 element is".into() } else { format!("{} elements are", of_kind.len()) };
+        let text = match kind.strip_prefix("the ") {
+            Some(_) => format!("{}: {kind}", of_kind[0].name),
+            None => format!("{names} {kind}"),
+        };
+        of_kind.iter().fold(Diagnostic::warning("run/beyond-validity", text), |warning, noted| {
+            let Concern { size, unit, .. } = noted.concern;
+            warning.note(format!("{}: {size:.1} {unit} at t = {:.4} s", noted.name, noted.time))
         })
-        .collect()
+    };
+    kinds.into_iter().map(warning).collect()
 }
 
 fn evaluation(error: &solver::Evaluation) -> Diagnostic {

@@ -112,7 +112,12 @@ impl Session {
     }
 
     /// Value, unit label and expression text of an attribute, in model units.
-    fn attribute<'py>(&self, py: Python<'py>, object: &str, name: &str) -> PyResult<(Bound<'py, PyAny>, String, Option<String>)> {
+    fn attribute<'py>(
+        &self,
+        py: Python<'py>,
+        object: &str,
+        name: &str,
+    ) -> PyResult<(Bound<'py, PyAny>, String, Option<String>)> {
         let attribute = self
             .inner
             .attribute(object, name)
@@ -130,7 +135,12 @@ impl Session {
     }
 
     /// Sets attributes by the class's modify command; values are command text.
-    fn modify<'py>(&mut self, py: Python<'py>, object: &str, values: Vec<(String, String)>) -> PyResult<Bound<'py, PyList>> {
+    fn modify<'py>(
+        &mut self,
+        py: Python<'py>,
+        object: &str,
+        values: Vec<(String, String)>,
+    ) -> PyResult<Bound<'py, PyList>> {
         let report = self.inner.modify(object, &values);
         self.settle(py, &report)
     }

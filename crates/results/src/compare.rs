@@ -39,13 +39,11 @@ pub fn compare(a: &Table, b: &Table) -> Vec<Difference> {
             Difference { name: series.name.clone(), largest, size }
         })
         .collect();
-    differences.extend(
-        b.series
-            .iter()
-            .skip(1)
-            .filter(|s| a.get(&s.name).is_none())
-            .map(|s| Difference { name: s.name.clone(), largest: None, size: 0.0 }),
-    );
+    differences.extend(b.series.iter().skip(1).filter(|s| a.get(&s.name).is_none()).map(|s| Difference {
+        name: s.name.clone(),
+        largest: None,
+        size: 0.0,
+    }));
     differences
 }
 

@@ -135,12 +135,7 @@ mod tests {
 
     #[test]
     fn lines_are_drawn_and_nothing_is_an_error() {
-        let line = Polyline {
-            points: vec![[0.0; 3], [1.0, 2.0, 3.0]],
-            colour: [0, 114, 178],
-            opacity: 1.0,
-            width: 2,
-        };
+        let line = Polyline { points: vec![[0.0; 3], [1.0, 2.0, 3.0]], colour: [0, 114, 178], opacity: 1.0, width: 2 };
         let svg = String::from_utf8(picture(&[line], &request(Format::Svg)).unwrap()).unwrap();
         assert!(svg.contains("polyline") && svg.contains("beam"));
         assert!(picture(&[], &request(Format::Png)).is_err());

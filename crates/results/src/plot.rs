@@ -144,9 +144,8 @@ fn choose<'t>(table: &'t Table, names: &[String]) -> Result<Vec<&'t Series>, Plo
     for name in names {
         let before = chosen.len();
         match name.strip_suffix('*') {
-            Some(head) => chosen.extend(
-                columns.iter().filter(|s| s.name.to_ascii_lowercase().starts_with(&head.to_ascii_lowercase())),
-            ),
+            Some(head) => chosen
+                .extend(columns.iter().filter(|s| s.name.to_ascii_lowercase().starts_with(&head.to_ascii_lowercase()))),
             None => chosen.extend(table.get(name)),
         }
         if chosen.len() == before {
@@ -247,9 +246,8 @@ fn draw_panel<B: DrawingBackend>(
 
 /// Range of finite values, widened by a fraction on both sides; never empty.
 fn span(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
-    let (low, high) = values
-        .filter(|x| x.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    let (low, high) =
+        values.filter(|x| x.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     if low > high {
         return (0.0, 1.0);
     }

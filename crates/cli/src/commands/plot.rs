@@ -28,7 +28,9 @@ pub(super) fn execute(request: &Plot) -> Outcome {
         "csv" | "parquet" => draw_results(request, &title, size, format),
         _ => draw_model(&request.input, &title, size, format),
     };
-    match drawn.and_then(|bytes| std::fs::write(&request.out, bytes).map_err(|e| format!("cannot write {}: {e}", request.out.display()))) {
+    match drawn.and_then(|bytes| {
+        std::fs::write(&request.out, bytes).map_err(|e| format!("cannot write {}: {e}", request.out.display()))
+    }) {
         Ok(()) => {
             println!("{}", request.out.display());
             Outcome::Fine
@@ -51,7 +53,8 @@ fn draw_model(path: &Path, title: &str, size: (u32, u32), format: Format) -> Res
     if !open(&mut session, path, &Edits { commands: Vec::new() }) {
         return Err(format!("{} has errors", path.display()));
     }
-    picture(&session.drawing(), &PictureRequest { title, size, format, up: session.up_axis() }).map_err(|e| e.to_string())
+    picture(&session.drawing(), &PictureRequest { title, size, format, up: session.up_axis() })
+        .map_err(|e| e.to_string())
 }
 
 fn size(text: &str) -> Option<(u32, u32)> {

@@ -51,7 +51,12 @@ pub(super) fn execute(run: &Run) -> Outcome {
     for path in &log.written {
         println!("{}", path.display());
     }
-    eprintln!("{}, {}, {}", count(executed, "command") + " executed", count(errors, "error"), count(warnings, "warning"));
+    eprintln!(
+        "{}, {}, {}",
+        count(executed, "command") + " executed",
+        count(errors, "error"),
+        count(warnings, "warning")
+    );
     if interrupt::requested() || log.interrupted {
         Outcome::Interrupted
     } else if errors > 0 || stopped || !log.troubles.is_empty() {

@@ -31,7 +31,11 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
         runs.push(Analysis::Static);
     }
     if let Some(end) = simulate.end {
-        runs.push(if simulate.kinematic { Analysis::Kinematic { end, outputs } } else { Analysis::Dynamic { end, outputs } });
+        runs.push(if simulate.kinematic {
+            Analysis::Kinematic { end, outputs }
+        } else {
+            Analysis::Dynamic { end, outputs }
+        });
     }
     let mut outcome = Outcome::Fine;
     for analysis in runs {
@@ -43,7 +47,6 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
         };
         match session.simulate(&options) {
             Ok(run) => {
-                print(&session, &run.diagnostics);
                 eprintln!("{}: {}", run.header.title, run.work());
                 if run.interrupted {
                     outcome = Outcome::Interrupted;

@@ -6,7 +6,8 @@ use super::equation::{Equation, Terms};
 use crate::matrix::six;
 use crate::relative::{between, load_of_reaction};
 use crate::{
-    Axis, BodyId, Constraint, ConstraintRows, Frame, FrameId, FrameLoad, FrameMotion, GROUND, Side, State, Tangent,
+    Axis, BodyId, Concern, Constraint, ConstraintRows, Frame, FrameId, FrameLoad, FrameMotion, GROUND, Side, State,
+    Tangent,
 };
 
 use Axis::{X, Y, Z};
@@ -258,9 +259,11 @@ impl Constraint for Pair {
         Some(self.ends.frame(side))
     }
 
-    fn concern(&self, state: &State) -> Option<(&'static str, f64)> {
+    fn concern(&self, state: &State) -> Option<Concern> {
         let (i, j) = self.ends.motions(state);
         let against = self.same_way.iter().map(|&axis| i.axis(axis).dot(j.axis(axis))).fold(1.0, f64::min);
-        (against < 0.0).then_some(("the axes of its markers point opposite ways", -against))
+        let sentence = "the axes of its markers point opposite ways";
+        let size = against.clamp(-1.0, 1.0).acos().to_degrees();
+        (against < 0.0).then_some(Concern { sentence, size, unit: "degrees" })
     }
 }

@@ -29,6 +29,10 @@ pub(super) fn block(sources: &Sources, diagnostic: &Diagnostic, colours: bool) -
     }
     let renderer = if colours { Renderer::styled() } else { Renderer::plain() };
     let mut text = renderer.render(&[group]);
+    if diagnostic.primary.is_none() {
+        // Without source there is nothing for the renderer's empty gutter line to lead to.
+        text = text.lines().filter(|line| plain(line).trim() != "|").collect::<Vec<_>>().join("\n");
+    }
     text.push('\n');
     text
 }
@@ -92,4 +96,16 @@ fn annotation(kind: AnnotationKind, label: &Label, window_start: usize, length: 
     let clamp = |offset: u32| (offset as usize).saturating_sub(window_start).min(length);
     let annotation = kind.span(clamp(label.span.start)..clamp(label.span.end));
     if label.text.is_empty() { annotation } else { annotation.label(&label.text) }
+}
+
+/// A line without colour sequences.
+fn plain(line: &str) -> String {
+    let mut text = String::with_capacity(line.len());
+    let mut rest = line;
+    while let Some(start) = rest.find('\u{1b}') {
+        text.push_str(&rest[..start]);
+        rest = rest[start..].find('m').map_or("", |end| &rest[start + end + 1..]);
+    }
+    text.push_str(rest);
+    text
 }

@@ -1,7 +1,7 @@
 //! The beam among the equations: its load on two bodies and the derivative of it.
 
 use equations::{
-    BodyId, Force, FrameId, FrameLoad, Loads, Side, State, Tangent, apply_between, load_of_reaction, relative,
+    BodyId, Concern, Force, FrameId, FrameLoad, Loads, Side, State, Tangent, apply_between, load_of_reaction, relative,
     tangent_between,
 };
 use glam::DVec3;
@@ -69,9 +69,10 @@ impl Force for Beam {
         self.law.energy(&relative(state, self.i, self.j))
     }
 
-    /// The largest relative angle, rad, when it is beyond [`SMALL_ANGLE`].
-    fn concern(&self, state: &State) -> Option<(&'static str, f64)> {
+    /// The largest relative angle when it is beyond [`SMALL_ANGLE`].
+    fn concern(&self, state: &State) -> Option<Concern> {
         let angle = self.law.largest_angle(&relative(state, self.i, self.j));
-        (angle > SMALL_ANGLE).then_some(("bent or twisted beyond what a linear beam describes", angle))
+        let sentence = "bent or twisted beyond what a linear beam describes";
+        (angle > SMALL_ANGLE).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees" })
     }
 }
