@@ -5,9 +5,7 @@
 //! that keeps the low ones accurate when the highest are millions of times larger, does not need
 //! an invertible mass matrix, and is not disturbed by rigid modes.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, MatRef};
-
+use crate::dense::{Lu, Matrix, eigenpairs, null_space};
 use crate::linear::NewtonMatrix;
 use crate::{Dae, Failure, JacobianPoint, Reason, SystemState};
 
@@ -76,7 +74,7 @@ pub fn modes(dae: &mut dyn Dae, state: &SystemState, options: &ModeOptions) -> R
     let mut state = state.clone();
     state.fit(dae);
     let mut matrix = NewtonMatrix::new(&dae.pattern());
-    let mut part = |mass: f64, damping: f64, stiffness: f64| -> Result<(Mat<f64>, Mat<f64>), Failure> {
+    let mut part = |mass: f64, damping: f64, stiffness: f64| -> Result<(Matrix, Matrix), Failure> {
         let SystemState { t, q, v, a, lambda } = &state;
         let at = JacobianPoint { t: *t, q, v, a, lambda, mass, damping, stiffness };
         matrix.assemble(dae, at).map_err(Failure::evaluation(*t))?;
@@ -85,19 +83,19 @@ pub fn modes(dae: &mut dyn Dae, state: &SystemState, options: &ModeOptions) -> R
     let (mass, constraints) = part(1.0, 0.0, 0.0)?;
     let (damping, _) = part(0.0, 1.0, 0.0)?;
     let (stiffness, _) = part(0.0, 0.0, 1.0)?;
-    let basis = null_space(&constraints);
-    let freedoms = basis.ncols();
+    let basis = null_space(&constraints, crate::redundancy::TOLERANCE);
+    let freedoms = basis.columns();
     if freedoms == 0 {
         return Ok(Modes { modes: Vec::new(), freedoms });
     }
-    let reduce = |full: &Mat<f64>| basis.transpose() * (full * &basis);
+    let reduce = |full: &Matrix| basis.transposed_times(&full.times(&basis));
     let reduced = Reduced { mass: reduce(&mass), damping: reduce(&damping), stiffness: reduce(&stiffness) };
     let found = reduced.eigenvalues().ok_or_else(|| Failure::new(Reason::NoConvergence, t))?;
     let mut modes: Vec<Mode> = found
         .into_iter()
         .map(|(eigenvalue, [real, imaginary])| {
-            let (real, imaginary) = (&basis * real, &basis * imaginary);
-            let shape = normalised((0..n).map(|i| [real[(i, 0)], imaginary[(i, 0)]]).collect());
+            let (real, imaginary) = (basis.times_vector(&real), basis.times_vector(&imaginary));
+            let shape = normalised(real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect());
             Mode { eigenvalue, pair: eigenvalue[1] > 0.0, shape }
         })
         .collect();
@@ -106,8 +104,8 @@ pub fn modes(dae: &mut dyn Dae, state: &SystemState, options: &ModeOptions) -> R
 }
 
 /// The velocity block and the constraint rows of an assembled matrix.
-fn dense(matrix: &NewtonMatrix, n: usize, m: usize) -> (Mat<f64>, Mat<f64>) {
-    let (mut velocity, mut constraints) = (Mat::zeros(n, n), Mat::zeros(m, n));
+fn dense(matrix: &NewtonMatrix, n: usize, m: usize) -> (Matrix, Matrix) {
+    let (mut velocity, mut constraints) = (Matrix::zeros(n, n), Matrix::zeros(m, n));
     for (row, column, values) in matrix.blocks() {
         let (first, from, size) = (matrix.offset(row), matrix.offset(column), matrix.size(row));
         if from >= n {
@@ -123,19 +121,6 @@ fn dense(matrix: &NewtonMatrix, n: usize, m: usize) -> (Mat<f64>, Mat<f64>) {
         }
     }
     (velocity, constraints)
-}
-
-/// Orthonormal columns that span the null space of `b`.
-fn null_space(b: &Mat<f64>) -> Mat<f64> {
-    let (m, n) = (b.nrows(), b.ncols());
-    if m == 0 {
-        return Mat::identity(n, n);
-    }
-    let factors = b.transpose().col_piv_qr();
-    let r = factors.R();
-    let size = |i: usize| r[(i, i)].abs();
-    let rank = (0..m.min(n)).take_while(|&i| size(i) > crate::redundancy::TOLERANCE * size(0)).count();
-    factors.compute_Q().subcols(rank, n - rank).to_owned()
 }
 
 /// Divides by the largest amplitude, which becomes real and 1.
@@ -160,58 +145,54 @@ fn normalised(mut shape: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 struct Reduced {
-    mass: Mat<f64>,
-    damping: Mat<f64>,
-    stiffness: Mat<f64>,
+    mass: Matrix,
+    damping: Matrix,
+    stiffness: Matrix,
 }
 
-type Eigenvector = [Mat<f64>; 2];
+/// Real and imaginary part.
+type Eigenvector = [Vec<f64>; 2];
 
 impl Reduced {
     /// Finite eigenvalues with non-negative imaginary part, and their vectors.
     fn eigenvalues(&self) -> Option<Vec<([f64; 2], Eigenvector)>> {
-        let f = self.mass.nrows();
-        let diagonal = |a: MatRef<'_, f64>| (0..f).map(|i| a[(i, i)].abs()).sum::<f64>();
-        let (mass, stiffness) = (diagonal(self.mass.as_ref()), diagonal(self.stiffness.as_ref()));
+        let f = self.mass.rows();
+        let diagonal = |a: &Matrix| (0..f).map(|i| a[(i, i)].abs()).sum::<f64>();
+        let (mass, stiffness) = (diagonal(&self.mass), diagonal(&self.stiffness));
         // Below the highest frequencies, so that the low ones are seen sharply; not so far below
         // that the inertia of rigid motions drowns in the rounding of the stiffness.
         let highest = (stiffness / mass).sqrt();
         let shift = if highest.is_finite() && highest > 0.0 { 0.05 * highest } else { 1.0 };
-        let pencil = Mat::from_fn(f, f, |i, j| {
+        let pencil = Matrix::from_fn(f, f, |i, j| {
             shift * (shift * self.mass[(i, j)] + self.damping[(i, j)]) + self.stiffness[(i, j)]
         });
-        let factors = pencil.partial_piv_lu();
-        let mut from_position = Mat::from_fn(f, f, |i, j| -(self.damping[(i, j)] + shift * self.mass[(i, j)]));
-        let mut from_velocity = Mat::from_fn(f, f, |i, j| -shift * self.mass[(i, j)]);
-        factors.solve_in_place(from_position.as_mut());
-        factors.solve_in_place(from_velocity.as_mut());
+        let factors = Lu::new(pencil);
+        let mut from_position = Matrix::from_fn(f, f, |i, j| -(self.damping[(i, j)] + shift * self.mass[(i, j)]));
+        let mut from_velocity = Matrix::from_fn(f, f, |i, j| -shift * self.mass[(i, j)]);
+        for j in 0..f {
+            factors.solve(from_position.column_mut(j));
+            factors.solve(from_velocity.column_mut(j));
+        }
         // Positions, then velocities divided by the shift.
-        let operator = Mat::from_fn(2 * f, 2 * f, |i, j| {
+        let operator = Matrix::from_fn(2 * f, 2 * f, |i, j| {
             let value = if j < f { from_position[(i % f, j)] } else { from_velocity[(i % f, j - f)] };
             if i >= f && i - f == j { value + 1.0 / shift } else { value }
         });
-        if (0..2 * f).any(|j| (0..2 * f).any(|i| !operator[(i, j)].is_finite())) {
-            return None;
-        }
-        let eigen = operator.eigen().ok()?;
-        let values = eigen.S().column_vector();
-        let vectors = eigen.U();
-        let largest = (0..2 * f).map(|k| values[k].re.hypot(values[k].im)).fold(0.0, f64::max);
+        let pairs = eigenpairs(operator)?;
+        let largest = pairs.iter().map(|pair| pair.value[0].hypot(pair.value[1])).fold(0.0, f64::max);
         let mut found = Vec::new();
-        for k in 0..2 * f {
-            let mu = values[k];
-            let size2 = mu.re * mu.re + mu.im * mu.im;
+        for pair in pairs {
+            let [re, im] = pair.value;
+            let size2 = re * re + im * im;
             // Zero stands for an infinite eigenvalue: a motion without mass.
             if size2.sqrt() <= 1e-15 * largest {
                 continue;
             }
-            let eigenvalue = [shift + mu.re / size2, -mu.im / size2];
-            if eigenvalue[1] < 0.0 {
-                continue;
-            }
-            let real = Mat::from_fn(f, 1, |i, _| vectors[(i, k)].re);
-            let imaginary = Mat::from_fn(f, 1, |i, _| vectors[(i, k)].im);
-            found.push((eigenvalue, [real, imaginary]));
+            // The inverse of the conjugate has the positive imaginary part: so the vector's
+            // conjugate belongs to it.
+            let eigenvalue = [shift + re / size2, im / size2];
+            let part = |at: usize, sign: f64| pair.vector[..f].iter().map(|x| sign * x[at]).collect();
+            found.push((eigenvalue, [part(0, 1.0), part(1, -1.0)]));
         }
         Some(found)
     }

@@ -6,7 +6,7 @@
 
 use crate::Pattern;
 
-use super::dense;
+use super::kernels;
 use super::ordering::{Order, minimum_degree, neighbours};
 
 /// Offsets of everything, from the structure alone.
@@ -146,14 +146,15 @@ impl Structure {
             let own = &mut head[step.diagonal..];
             let (diagonal, own) = own.split_at_mut(n * n);
             let at = self.permuted_of(step);
-            dense::invert(n, diagonal, &reference[at..at + n], pivots).map_err(|row| self.offsets[step.block] + row)?;
+            kernels::invert(n, diagonal, &reference[at..at + n], pivots)
+                .map_err(|row| self.offsets[step.block] + row)?;
             let mut target = step.targets;
             for column in couplings {
                 let upper = column.upper - step.diagonal - n * n;
                 let upper_length = n * column.size;
                 let (before, rest) = own.split_at_mut(upper);
                 let (upper_block, after) = rest.split_at_mut(upper_length);
-                dense::product(n, column.size, diagonal, upper_block, product);
+                kernels::product(n, column.size, diagonal, upper_block, product);
                 upper_block.copy_from_slice(&product[..upper_length]);
                 for row in couplings {
                     let lower = row.lower - step.diagonal - n * n;
@@ -165,7 +166,7 @@ impl Structure {
                     };
                     let place = self.targets[target] as usize - own_end;
                     target += 1;
-                    dense::subtract_product(
+                    kernels::subtract_product(
                         row.size,
                         n,
                         column.size,
@@ -188,11 +189,11 @@ impl Structure {
             let at = self.permuted_of(step);
             let (head, tail) = x.split_at_mut(at + n);
             let own = &mut head[at..];
-            dense::matvec_in_place(n, &values[step.diagonal..step.diagonal + n * n], own, product);
+            kernels::matvec_in_place(n, &values[step.diagonal..step.diagonal + n * n], own, product);
             for row in &self.couplings[step.couplings.clone()] {
                 let place = row.permuted - at - n;
                 let lower = &values[row.lower..row.lower + n * row.size];
-                dense::subtract_matvec(row.size, n, lower, own, &mut tail[place..place + row.size]);
+                kernels::subtract_matvec(row.size, n, lower, own, &mut tail[place..place + row.size]);
             }
         }
         for step in self.steps.iter().rev() {
@@ -203,7 +204,7 @@ impl Structure {
             for column in &self.couplings[step.couplings.clone()] {
                 let place = column.permuted - at - n;
                 let upper = &values[column.upper..column.upper + n * column.size];
-                dense::subtract_matvec(n, column.size, upper, &tail[place..place + column.size], own);
+                kernels::subtract_matvec(n, column.size, upper, &tail[place..place + column.size], own);
             }
         }
     }

@@ -8,11 +8,12 @@
 #![allow(clippy::inline_always)]
 
 mod block_lu;
-mod dense;
 mod general;
+mod kernels;
 mod newton_matrix;
 mod ordering;
 #[cfg(test)]
 mod tests;
+mod vector;
 
 pub use newton_matrix::{FactorKind, NewtonMatrix, Singular};

@@ -4,6 +4,7 @@ use crate::{Dae, Evaluation, JacobianPoint, Pattern};
 
 use super::block_lu::{Scratch, Structure};
 use super::general::General;
+use super::vector::Vectors;
 
 /// The matrix has no inverse; carries the unknown whose pivot vanished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,13 +31,14 @@ pub struct NewtonMatrix {
     scratch: Scratch,
     /// Blocks in the order they were last added, with their offsets: assembly repeats itself.
     replay: Vec<(u32, u32, u32)>,
+    pattern: Pattern,
     general: Option<General>,
     kind: FactorKind,
     /// Set when the block factors were found wanting; then the general ones are used at once.
     distrust: bool,
     verified: bool,
     work: Vec<f64>,
-    simd: pulp::Arch,
+    vectors: Vectors,
 }
 
 /// Relative backward error of a solution above which the block factors are not trusted.
@@ -55,12 +57,13 @@ impl NewtonMatrix {
             factors: vec![0.0; structure.length],
             scratch,
             replay: Vec::new(),
+            pattern: pattern.clone(),
             general: None,
             kind: FactorKind::Blocks,
             distrust: false,
             verified: false,
             work: vec![0.0; 2 * unknowns],
-            simd: pulp::Arch::new(),
+            vectors: Vectors::detect(),
             structure,
         }
     }
@@ -140,7 +143,7 @@ impl NewtonMatrix {
             self.factors.copy_from_slice(&self.assembled);
             self.structure.note_diagonal(&self.assembled, &mut self.scratch.reference);
             let (structure, factors, scratch) = (&self.structure, &mut self.factors, &mut self.scratch);
-            match self.simd.dispatch(|| structure.factor(factors, scratch)) {
+            match self.vectors.run(|| structure.factor(factors, scratch)) {
                 Ok(()) => {
                     self.kind = FactorKind::Blocks;
                     if self.verified || self.verify() {
@@ -151,13 +154,8 @@ impl NewtonMatrix {
                 Err(row) => unknown = row,
             }
         }
-        if self.general.is_none() {
-            self.general = General::new(&self.structure);
-        }
-        let Some(general) = &mut self.general else { return Err(Singular { unknown }) };
-        if !general.factor(&self.assembled) {
-            return Err(Singular { unknown });
-        }
+        let general = self.general.get_or_insert_with(|| General::new(&self.structure, &self.pattern));
+        general.factor(&self.assembled).map_err(|unknown| Singular { unknown })?;
         self.kind = FactorKind::General;
         self.distrust = true;
         if self.verify() { Ok(()) } else { Err(Singular { unknown: self.worst_unknown(unknown) }) }
@@ -233,7 +231,7 @@ impl NewtonMatrix {
     /// Solves in place with the present factors.
     pub fn solve(&mut self, x: &mut [f64]) {
         if self.kind == FactorKind::General {
-            if let Some(general) = &self.general {
+            if let Some(general) = &mut self.general {
                 general.solve(x);
             }
             return;
@@ -241,7 +239,7 @@ impl NewtonMatrix {
         let mut permuted = std::mem::take(&mut self.scratch.permuted);
         self.structure.permute(x, &mut permuted);
         let (structure, factors, scratch) = (&self.structure, &self.factors, &mut self.scratch);
-        self.simd.dispatch(|| structure.substitute(factors, &mut permuted, scratch));
+        self.vectors.run(|| structure.substitute(factors, &mut permuted, scratch));
         self.structure.permute_back(&permuted, x);
         self.scratch.permuted = permuted;
     }
