@@ -1,22 +1,25 @@
 //! One command with its arguments matched to parameters, not yet executed.
 
-use std::sync::Arc;
+use std::{cell::Cell, sync::Arc};
 
 use schema::{Field, Kind, Rule};
 use syntax::command::{Argument, ItemKind};
 use text::{Diagnostic, Span};
 
 use crate::{
+    known,
     program::Program,
     tree::{Command, Parameter, Role},
     words::{Match, match_word, nearest},
 };
 
 /// An argument with the parameter it is for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Given<'p> {
     pub parameter: usize,
     pub argument: &'p Argument,
+    /// Whether anything has asked for it: what nothing asks for has no effect, and that is said.
+    used: Cell<bool>,
 }
 
 /// A command ready to be executed.
@@ -59,7 +62,7 @@ impl<'p> Call<'p> {
                                 .adams(format!("'{typed}' is not a valid parameter.")),
                         );
                     } else {
-                        given.push(Given { parameter, argument });
+                        given.push(Given { parameter, argument, used: Cell::new(false) });
                     }
                 }
                 Match::Many(found) => {
@@ -155,7 +158,29 @@ impl<'p> Call<'p> {
 
     /// The argument of a parameter, by the parameter's full name.
     pub fn argument(&self, name: &str) -> Option<&'p Argument> {
-        self.argument_of(name).map(|g| g.argument)
+        let given = self.argument_of(name)?;
+        given.used.set(true);
+        Some(given.argument)
+    }
+
+    /// Every argument with its parameter, for commands that go through all of them.
+    pub fn all(&self) -> impl Iterator<Item = (&Parameter, &'p Argument)> {
+        self.given.iter().map(|g| {
+            g.used.set(true);
+            (&self.parameters[g.parameter], g.argument)
+        })
+    }
+
+    /// A warning for each argument that nothing has asked for.
+    pub fn unused(&self) -> Vec<Diagnostic> {
+        let unused = self.given.iter().filter(|g| !g.used.get());
+        let warning = |g: &Given| {
+            let name = &self.parameters[g.parameter].name;
+            Diagnostic::warning("command/no-effect", format!("`{name}` of `{}` has no effect in Flexure", self.path))
+                .at(g.argument.name, "not used")
+                .note(known::meaning(&self.path))
+        };
+        unused.map(warning).collect()
     }
 
     /// The argument that names the object, if given, with its parameter.

@@ -140,6 +140,13 @@ impl Interpreter {
             Ok(call) => call,
             Err(flow) => return self.skip_block(program, at + 1, end, flow),
         };
+        let echo_all = match self.flag_argument(&call, "echo_all_loops") {
+            Ok(flag) => flag == Some(true),
+            Err(errors) => {
+                let flow = self.opener_failed(program, at, errors);
+                return self.skip_block(program, at + 1, end, flow);
+            }
+        };
         let mut passes = 0u64;
         loop {
             match self.condition(program, at, &call) {
@@ -149,6 +156,9 @@ impl Interpreter {
                     break;
                 }
                 Err(flow) => return self.skip_block(program, at + 1, end, flow),
+            }
+            if passes > 0 && echo_all {
+                self.echo_again(program, at + 1);
             }
             match self.pass(program, blocks, at, end) {
                 Flow::Next | Flow::Continue | Flow::Skipped => {}
@@ -184,8 +194,9 @@ impl Interpreter {
             Err(flow) => return self.skip_block(program, at + 1, end, flow),
         };
         let mark = self.database.mark();
-        let (variable, values) = match self.loop_values(&call) {
-            Ok(found) => found,
+        let found = self.flag_argument(&call, "echo_all_loops").and_then(|echo| Ok((echo, self.loop_values(&call)?)));
+        let (echo_all, (variable, values)) = match found {
+            Ok((echo, found)) => (echo == Some(true), found),
             Err(errors) => {
                 self.database.roll_back(mark);
                 self.names.forget();
@@ -194,10 +205,11 @@ impl Interpreter {
             }
         };
         self.report.executed += 1;
+        self.report.diagnostics.extend(call.unused());
         if values.is_empty() {
             self.echo_skipped(program, at + 1, end);
         }
-        for value in values {
+        for (pass, value) in values.into_iter().enumerate() {
             let name = if matches!(value, Value::Object(_)) { "object_value" } else { "real_value" };
             if self.database.get(variable).is_none() {
                 break;
@@ -208,6 +220,9 @@ impl Interpreter {
                 && let Err(errors) = self.recompute(&[model::CellKey::new(variable, cell)], call.span)
             {
                 return self.failed(errors);
+            }
+            if pass > 0 && echo_all {
+                self.echo_again(program, at + 1);
             }
             match self.pass(program, blocks, at, end) {
                 Flow::Next | Flow::Continue | Flow::Skipped => {}

@@ -89,6 +89,8 @@ pub struct Interpreter {
     pub(crate) trace: Vec<Span>,
     /// Names of objects that skipped commands would have made, in lower case.
     pub(crate) unmade: std::collections::HashSet<String>,
+    /// Names of parts and models below which skipped commands would have read solids, in lower case.
+    pub(crate) unmade_solids: Vec<String>,
     pub(crate) undo_blocks: usize,
     pub(crate) suppress_undo: bool,
     /// Depth of blocks, for the journal; negative in the journal while skipping.
@@ -123,6 +125,7 @@ impl Interpreter {
             macros: Macros::default(),
             trace: Vec::new(),
             unmade: std::collections::HashSet::new(),
+            unmade_solids: Vec::new(),
             undo_blocks: 0,
             suppress_undo: false,
             block_depth: 0,

@@ -103,6 +103,13 @@ impl Interpreter {
         journal.warnings(&self.report.diagnostics);
     }
 
+    /// The next pass of a loop echoes from this statement on, as `echo_all_loops` asks.
+    pub(crate) fn echo_again(&mut self, program: &Program, index: usize) {
+        if let (Some(journal), Some(parsed)) = (&mut self.journal, program.statements.get(index)) {
+            journal.next_line = program.line_number(parsed.statement.span.start);
+        }
+    }
+
     /// Echoes statements that are read but not executed.
     pub(crate) fn echo_skipped(&mut self, program: &Program, from: usize, to: usize) {
         let depth = -(self.block_depth.max(1) as i64);

@@ -9,7 +9,7 @@ use crate::{
     blocks::Control,
     call::Call,
     interpreter::Flow,
-    known,
+    known, lookup,
     program::Program,
     tree::{Action, Command, Path},
     words::nearest,
@@ -42,15 +42,9 @@ impl Interpreter {
                 self.database.roll_back(mark);
                 self.names.forget();
                 self.trace_warnings(before);
-                if self.is_consequence(program, &errors) {
+                if let Some(path) = self.consequence(program, index, &errors) {
                     self.report.skipped += 1;
-                    let warnings = errors.into_iter().map(|e| Diagnostic {
-                        severity: text::Severity::Warning,
-                        adams_text: Vec::new(),
-                        ..e.note("skipped, because the command that makes it is not executed by Flexure")
-                    });
-                    let warnings = warnings.collect();
-                    self.complain(warnings);
+                    self.complain(vec![skipped_too(&path, errors)]);
                     return Flow::Next;
                 }
                 self.failed(errors)
@@ -58,14 +52,25 @@ impl Interpreter {
         }
     }
 
-    /// Whether a command failed only because it names what a skipped command would have made.
-    fn is_consequence(&self, program: &Program, errors: &[Diagnostic]) -> bool {
-        !self.unmade.is_empty()
-            && errors.iter().all(|e| {
-                let named = e.primary.as_ref().map(|l| program.word(l.span).to_ascii_lowercase());
-                let solid = self.unmade.contains("geometry") && e.message.starts_with("there is no geometry `");
-                e.code == "name/not-found" && (solid || named.is_some_and(|n| self.was_not_made(&n)))
-            })
+    /// The command that failed, if only because it names what a skipped command would have made.
+    fn consequence(&self, program: &Program, index: usize, errors: &[Diagnostic]) -> Option<String> {
+        if self.unmade.is_empty() && self.unmade_solids.is_empty() {
+            return None;
+        }
+        let (keywords, arguments) = program.command(index)?;
+        let span = program.statements[index].statement.span;
+        let path = self.find_command(program, span, keywords, arguments).ok()?.path.to_string();
+        // The names of solids read from another program's file stand in that file only.
+        let may_be_solid = path == "geometry attributes" || path.starts_with("geometry modify ");
+        let follows = errors.iter().all(|e| {
+            let Some(name) = e.primary.as_ref().map(|l| program.word(l.span).to_ascii_lowercase()) else {
+                return false;
+            };
+            let below = |owner: &String| name.strip_prefix(owner.as_str()).is_some_and(|rest| rest.starts_with('.'));
+            e.code == "name/not-found"
+                && (self.was_not_made(&name) || may_be_solid && self.unmade_solids.iter().any(below))
+        });
+        follows.then_some(path)
     }
 
     /// Whether a skipped command would have made an object, or what it belongs to.
@@ -237,9 +242,8 @@ impl Interpreter {
                 return Err(errors);
             }
             self.not_supported(&command.path, span);
-            // A solid read from another program's file has a name that only that file knows.
             if command.path.starts_with("file parasolid read") {
-                self.unmade.insert("geometry".into());
+                self.solids_not_read(program, arguments);
             }
             // What this would have made is missing for the commands that follow.
             if command.path.contains("create") {
@@ -255,7 +259,9 @@ impl Interpreter {
             Action::Settings(class, _) => self.change_settings_object(class, &call).map(|()| Flow::Next),
             Action::Verb(entry) => {
                 self.echo_now(program, span);
-                (entry.run)(self, &call)
+                let flow = (entry.run)(self, &call)?;
+                self.report.diagnostics.extend(call.unused());
+                Ok(flow)
             }
             Action::Macro(id) => {
                 self.echo_now(program, span);
@@ -263,6 +269,19 @@ impl Interpreter {
             }
             Action::Unsupported => Ok(Flow::Next),
         }
+    }
+
+    /// Remembers below which part or model the solids of a file would have been.
+    fn solids_not_read(&mut self, program: &Program, arguments: &[Argument]) {
+        let owner = arguments.iter().find(|a| {
+            let name = program.word(a.name).to_ascii_lowercase();
+            ["model_name", "part_name"].iter().any(|full| name.len() >= 3 && full.starts_with(&name))
+        });
+        let owner = match owner.map(|a| program.word(a.value_span)) {
+            Some(typed) => lookup::search_one(&self.database, typed, "any").map(|id| self.database.full_name(id)),
+            None => self.database.current("model").map(|id| self.database.full_name(id)),
+        };
+        self.unmade_solids.extend(owner.map(|name| name.to_ascii_lowercase()));
     }
 
     /// A command that is known but not executed is named, with what that means.
@@ -327,6 +346,20 @@ impl Interpreter {
         let name = held.iter().find(|n| self.database.cell(id, n).is_some())?;
         Some((id, class.cell_index(name)?))
     }
+}
+
+/// The warning about a command that needs what a skipped command would have made.
+fn skipped_too(path: &str, errors: Errors) -> Diagnostic {
+    let reasons: Vec<&str> = errors.iter().map(|e| e.message.as_str()).collect();
+    let mut warning =
+        Diagnostic::warning("command/skipped-too", format!("`{path}` is skipped: {}", reasons.join("; ")));
+    for label in errors.into_iter().filter_map(|e| e.primary) {
+        warning = match warning.primary {
+            None => warning.at(label.span, "not made, because the command for it is not executed"),
+            Some(_) => warning.label(label.span, "not made either"),
+        };
+    }
+    warning.note(known::meaning(path))
 }
 
 fn unknown_keyword(word: &str, span: Span, before: &[&str], near: &[String]) -> Diagnostic {

@@ -147,9 +147,9 @@ pub const MODEL: VerbEntry = entry(
 );
 
 fn current_objects(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    for given in &call.given {
-        let field = call.parameters[given.parameter].field;
-        let draft = interpreter.read_value(call, &field, given.argument, None)?;
+    for (parameter, argument) in call.all() {
+        let field = parameter.field;
+        let draft = interpreter.read_value(call, &field, argument, None)?;
         if let Some(id) = draft.value.as_object() {
             interpreter.database.make_current(id);
         }
@@ -275,11 +275,10 @@ pub const NAME_MODEL: VerbEntry = prefixes("defaults name_generation model", &[p
 
 /// Keeps settings as they were given, by parameter.
 fn keep_words(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    for given in &call.given {
-        let parameter = &call.parameters[given.parameter];
+    for (parameter, argument) in call.all() {
         debug_assert_eq!(parameter.role, Role::Field);
         let field = parameter.field;
-        let draft = interpreter.read_value(call, &field, given.argument, None)?;
+        let draft = interpreter.read_value(call, &field, argument, None)?;
         let text = match &draft.value {
             Value::Flag(flag) => match field.kind {
                 schema::Kind::Boolean(yes, no) => (if *flag { yes } else { no }).to_string(),

@@ -37,10 +37,10 @@ pub const ENTITY: VerbEntry = verb(
 fn delete(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
     let Some(first) = call.parameters.first().map(|p| p.name.clone()) else { return Ok(Flow::Next) };
     let mut chosen = Vec::new();
-    for given in &call.given {
-        let field = call.parameters[given.parameter].field;
+    for (parameter, argument) in call.all() {
+        let field = parameter.field;
         if field.name != "type_filter" {
-            chosen.extend(interpreter.read_value(call, &field, given.argument, None)?.value.objects());
+            chosen.extend(interpreter.read_value(call, &field, argument, None)?.value.objects());
         }
     }
     if let Some(wanted) = interpreter.word_of(call, "type_filter")? {

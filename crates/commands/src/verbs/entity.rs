@@ -64,8 +64,8 @@ fn attributes(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     for id in ids {
         let class = interpreter.database.object(id).class;
         let mut foreign = Vec::new();
-        for given in &call.given {
-            let field = call.parameters[given.parameter].field;
+        for (parameter, argument) in call.all() {
+            let field = parameter.field;
             if matches!(field.name, "entity_name" | "type_filter") {
                 continue;
             }
@@ -73,7 +73,7 @@ fn attributes(interpreter: &mut Interpreter, call: &Call) -> Outcome {
                 foreign.push(field.name);
                 continue;
             };
-            let draft = interpreter.read_value(call, &field, given.argument, Some(id))?;
+            let draft = interpreter.read_value(call, &field, argument, Some(id))?;
             interpreter.store(CellKey::new(id, cell), draft);
         }
         if !foreign.is_empty() {

@@ -54,10 +54,10 @@ pub const CONSTRAINT: VerbEntry = verb(
 
 fn list(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
     let mut ids = Vec::new();
-    for given in &call.given {
-        let field = call.parameters[given.parameter].field;
+    for (parameter, argument) in call.all() {
+        let field = parameter.field;
         if matches!(field.kind, Kind::Object(..)) {
-            ids.extend(interpreter.read_value(call, &field, given.argument, None)?.value.objects());
+            ids.extend(interpreter.read_value(call, &field, argument, None)?.value.objects());
         }
     }
     if ids.is_empty() {

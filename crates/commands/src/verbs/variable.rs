@@ -158,17 +158,17 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
         );
     }
     let mut changed = Vec::new();
-    for given in &call.given {
-        let field = call.parameters[given.parameter].field;
+    for (parameter, argument) in call.all() {
+        let field = parameter.field;
         if matches!(field.name, "variable_name" | "new_variable_name" | "index") {
             continue;
         }
         let Some(cell) = class.cell_index(field.name) else { continue };
         let key = CellKey::new(id, cell);
-        let mut draft = interpreter.read_value(call, &field, given.argument, Some(id))?;
+        let mut draft = interpreter.read_value(call, &field, argument, Some(id))?;
         if VALUES.contains(&field.name) {
             if let Some(index) = index {
-                draft = set_element(interpreter, id, field.name, index, draft, given.argument.value_span)?;
+                draft = set_element(interpreter, id, field.name, index, draft, argument.value_span)?;
             } else {
                 draft.value = simplified(draft.value);
             }
