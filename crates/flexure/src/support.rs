@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use schema::Registry;
+use commands::{Action, Interpreter};
 
 /// What becomes of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum State {
     Kept,
     /// Executed.
     Executed,
+    /// Known, not executed, and reported with its line where it occurs.
+    NotSupported,
 }
 
 impl fmt::Display for State {
@@ -21,6 +23,7 @@ impl fmt::Display for State {
             State::Simulated => "simulated",
             State::Kept => "kept",
             State::Executed => "executed",
+            State::NotSupported => "not supported",
         })
     }
 }
@@ -33,23 +36,33 @@ pub struct Support {
     pub note: String,
 }
 
-/// All commands that are executed. A command that is not in the list is reported by name when it
-/// occurs.
+/// All commands known, by name.
 pub fn support() -> Vec<Support> {
-    let registry: Registry = elements::registry();
-    let mut list: Vec<Support> = Vec::new();
-    for class in &registry.classes {
-        let state = if elements::shelf::element(class).is_some() { State::Simulated } else { State::Kept };
-        for group in class.groups {
-            if !list.iter().any(|s| s.command == group.command) {
-                list.push(Support { command: group.command.to_string(), state, note: group.doc.to_string() });
-            }
-        }
-    }
-    let interpreter = commands::Interpreter::new(registry);
-    for verb in &interpreter.registry().verbs {
-        list.push(Support { command: verb.path.to_string(), state: State::Executed, note: verb.doc.to_string() });
-    }
+    let interpreter = Interpreter::new(elements::registry());
+    let mut list: Vec<Support> = interpreter
+        .commands()
+        .commands()
+        .into_iter()
+        .map(|command| {
+            let of_class = |class| match elements::shelf::element(class) {
+                Some(_) => State::Simulated,
+                None => State::Kept,
+            };
+            let path = command.path.to_string();
+            let (state, note) = match &command.action {
+                Action::Create(class, group) => (of_class(class), group.doc.to_string()),
+                Action::Set(groups) => (
+                    groups.first().map_or(State::Kept, |(class, _)| of_class(class)),
+                    groups.first().map_or_else(String::new, |(_, group)| group.doc.to_string()),
+                ),
+                Action::Settings(_, group) => (State::Executed, group.doc.to_string()),
+                Action::Verb(entry) => (State::Executed, entry.verb.doc.to_string()),
+                Action::Macro(_) => (State::Executed, "a macro".to_string()),
+                Action::Unsupported => (State::NotSupported, commands::meaning(&path).to_string()),
+            };
+            Support { command: path, state, note }
+        })
+        .collect();
     list.sort_by(|a, b| a.command.cmp(&b.command));
     list
 }

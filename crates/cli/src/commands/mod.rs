@@ -40,13 +40,20 @@ fn session() -> Session {
     session
 }
 
+/// Diagnostics printed of one report; a file that is no command file has thousands.
+const MOST_PRINTED: usize = 200;
+
 /// Prints diagnostics to standard error.
 fn print(session: &Session, diagnostics: &[Diagnostic]) {
     if diagnostics.is_empty() {
         return;
     }
     let colour = text::use_colours(std::io::stderr().is_terminal());
-    eprint!("{}", session.render(diagnostics, colour));
+    let (shown, left) = diagnostics.split_at(diagnostics.len().min(MOST_PRINTED));
+    eprint!("{}", session.render(shown, colour));
+    if !left.is_empty() {
+        eprintln!("... and {} more; `flexure check --format json` lists them all", left.len());
+    }
 }
 
 /// A sentence on standard error, as every refusal of a subcommand.
