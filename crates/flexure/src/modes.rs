@@ -1,7 +1,7 @@
 //! Linear modes about a state, as users see them.
 
 use model::{Database, ObjectId};
-use solver::{Dae, ModeOptions, SystemState, equilibrium};
+use solver::{Dae, Failure, ModeOptions, Reason, SystemState, equilibrium};
 use text::Diagnostic;
 
 use crate::run::RunObserver;
@@ -76,7 +76,12 @@ pub(crate) fn find(
         system.set_statics(false);
         state.v = moving;
         found.map_err(|f| vec![failed(&f)])?;
-        solver::initial::accelerations(system, state).map_err(|f| vec![failed(&f)])?;
+    }
+    match solver::initial::accelerations(system, state) {
+        // Parts without inertia have no acceleration of their own; without constraints nothing but
+        // accelerations is missing then, and about a state of rest they are zero.
+        Err(Failure { reason: Reason::Singular, .. }) if system.constraints() == 0 => state.a.fill(0.0),
+        other => other.map_err(|f| vec![failed(&f)])?,
     }
     let found = solver::modes(system, state, &ModeOptions::default()).map_err(|f| vec![failed(&f)])?;
     let modes = found

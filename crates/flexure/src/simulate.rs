@@ -127,7 +127,7 @@ fn switch_off_redundant(system: &mut System, state: &SystemState) -> Result<Vec<
     Ok(named)
 }
 
-/// Consistent positions, velocities, accelerations and multipliers.
+/// Consistent positions and velocities.
 fn assemble(system: &mut System, state: &mut SystemState) -> Result<(), Vec<Diagnostic>> {
     let weights: Vec<f64> = system.exact().into_iter().map(|exact| if exact { initial::EXACT } else { 1.0 }).collect();
     let failed = |failure: Failure| {
@@ -136,7 +136,6 @@ fn assemble(system: &mut System, state: &mut SystemState) -> Result<(), Vec<Diag
     };
     initial::displacements(system, state, &weights).map_err(failed)?;
     initial::velocities(system, state, &weights).map_err(failed)?;
-    initial::accelerations(system, state).map_err(failed)?;
     Ok(())
 }
 
@@ -182,6 +181,7 @@ fn analyse(
     let report = |failure: &Failure| vec![failed(failure)];
     match analysis {
         Analysis::Assemble => {
+            initial::accelerations(system, state).map_err(|f| report(&f))?;
             recorder.record(system, state);
             Ok(Statistics::default())
         }
@@ -257,7 +257,6 @@ fn balance(
     state.v = moving;
     let report = found?;
     initial::velocities(system, state, &[])?;
-    initial::accelerations(system, state)?;
     Ok(report.statistics)
 }
 
