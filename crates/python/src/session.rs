@@ -1,10 +1,10 @@
 //! The session and its runs, as Python sees them.
 
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use flexure::{Analysis, Outputs, Report, SimulationOptions};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyAttributeError, PyKeyError};
 use pyo3::prelude::*;
@@ -67,48 +67,51 @@ impl Run {
 /// One session with one or more models.
 #[pyclass]
 pub struct Session {
-    inner: flexure::Session,
+    /// In a mutex because Python may hand the object to another thread.
+    inner: Mutex<flexure::Session>,
 }
 
 #[pymethods]
 impl Session {
     #[new]
     fn new() -> Session {
-        Session { inner: flexure::Session::new() }
+        Session { inner: Mutex::new(flexure::Session::new()) }
     }
 
     /// Reads a file without simulating; returns the warnings, raises on errors.
     fn read<'py>(&mut self, py: Python<'py>, path: PathBuf) -> PyResult<Bound<'py, PyList>> {
-        self.inner.simulate_nothing(true);
-        let report = py.detach(|| self.inner.read(&path));
-        self.inner.simulate_nothing(false);
+        self.session().simulate_nothing(true);
+        let session = self.session();
+        let report = py.detach(|| session.read(&path));
+        self.session().simulate_nothing(false);
         self.settle(py, &report)
     }
 
     /// Executes command text; returns the warnings, raises on errors.
     fn execute<'py>(&mut self, py: Python<'py>, text: String) -> PyResult<Bound<'py, PyList>> {
-        let report = py.detach(|| self.inner.execute(&text));
+        let session = self.session();
+        let report = py.detach(|| session.execute(&text));
         self.settle(py, &report)
     }
 
     /// Name of the current model without dot.
-    fn model(&self) -> Option<String> {
-        self.inner.model_name()
+    fn model(&mut self) -> Option<String> {
+        self.session().model_name()
     }
 
     /// Full names of all objects of a class or family, in order of creation.
-    fn objects(&self, wanted: &str) -> Vec<String> {
-        self.inner.objects(wanted)
+    fn objects(&mut self, wanted: &str) -> Vec<String> {
+        self.session().objects(wanted)
     }
 
     /// Full name of an object given by full or short name.
-    fn resolve(&self, name: &str, wanted: &str) -> PyResult<String> {
-        self.inner.resolve(name, wanted).ok_or_else(|| PyKeyError::new_err(name.to_string()))
+    fn resolve(&mut self, name: &str, wanted: &str) -> PyResult<String> {
+        self.session().resolve(name, wanted).ok_or_else(|| PyKeyError::new_err(name.to_string()))
     }
 
     /// Names of the attributes of an object.
-    fn attributes(&self, object: &str) -> Vec<String> {
-        self.inner.attributes(object)
+    fn attributes(&mut self, object: &str) -> Vec<String> {
+        self.session().attributes(object)
     }
 
     /// Value, unit label and expression text of an attribute, in model units.
@@ -119,7 +122,7 @@ impl Session {
         name: &str,
     ) -> PyResult<(Bound<'py, PyAny>, String, Option<String>)> {
         let attribute = self
-            .inner
+            .session()
             .attribute(object, name)
             .ok_or_else(|| PyAttributeError::new_err(format!("{object} has no attribute {name}")))?;
         let value = match attribute.value {
@@ -141,7 +144,7 @@ impl Session {
         object: &str,
         values: Vec<(String, String)>,
     ) -> PyResult<Bound<'py, PyList>> {
-        let report = self.inner.modify(object, &values);
+        let report = self.session().modify(object, &values);
         self.settle(py, &report)
     }
 
@@ -172,28 +175,30 @@ impl Session {
             _ => Analysis::Dynamic { end, outputs },
         };
         let raised = Arc::new(Mutex::new(None));
-        self.inner.set_observer(Box::new(PythonObserver { progress, raised: raised.clone() }));
-        self.inner.record_everything(all);
+        self.session().set_observer(Box::new(PythonObserver { progress, raised: raised.clone() }));
+        self.session().record_everything(all);
         let options = SimulationOptions { analysis, integrator, error, largest_step: hmax };
-        let outcome = py.detach(|| self.inner.simulate(&options));
+        let session = self.session();
+        let outcome = py.detach(|| session.simulate(&options));
         if let Some(error) = raised.lock().ok().and_then(|mut r| r.take()) {
             return Err(error);
         }
-        outcome.map(|inner| Run { inner }).map_err(|diagnostics| errors::raise(py, &self.inner, &diagnostics))
+        outcome.map(|inner| Run { inner }).map_err(|diagnostics| errors::raise(py, self.session(), &diagnostics))
     }
 
     /// Runs that commands made (`simulation single_run ...`) since the last call.
     fn take_runs(&mut self) -> Vec<Run> {
-        self.inner.take_runs().into_iter().map(|inner| Run { inner }).collect()
+        self.session().take_runs().into_iter().map(|inner| Run { inner }).collect()
     }
 
     /// Modes: frequencies (Hz), damping ratios, real and imaginary parts (shape: modes), shapes
     /// (modes x unknowns, complex as two arrays), names of the unknowns.
     #[pyo3(signature = (statics=false))]
     fn modes<'py>(&mut self, py: Python<'py>, statics: bool) -> PyResult<Bound<'py, PyDict>> {
-        let found = match py.detach(|| self.inner.modes(statics)) {
+        let session = self.session();
+        let found = match py.detach(|| session.modes(statics)) {
             Ok(found) => found,
-            Err(diagnostics) => return Err(errors::raise(py, &self.inner, &diagnostics)),
+            Err(diagnostics) => return Err(errors::raise(py, self.session(), &diagnostics)),
         };
         let dict = PyDict::new(py);
         let column = |f: &dyn Fn(&flexure::Mode) -> f64| PyArray1::from_iter(py, found.modes.iter().map(f));
@@ -216,10 +221,10 @@ impl Session {
 
     /// Report lines, and findings as dictionaries with the command that mends them.
     fn verify<'py>(&mut self, py: Python<'py>) -> PyResult<(Vec<String>, Bound<'py, PyList>)> {
-        let found = self.inner.verify();
+        let found = self.session().verify();
         let list = PyList::empty(py);
         for finding in &found.findings {
-            let dict = errors::to_dict(py, &self.inner, &finding.diagnostic)?;
+            let dict = errors::to_dict(py, self.session(), &finding.diagnostic)?;
             dict.set_item("fix", finding.fix.clone())?;
             list.append(dict)?;
         }
@@ -227,25 +232,29 @@ impl Session {
     }
 
     fn undo(&mut self) -> bool {
-        self.inner.undo()
+        self.session().undo()
     }
 
     fn redo(&mut self) -> bool {
-        self.inner.redo()
+        self.session().redo()
     }
 
     fn write(&mut self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let written = self.inner.write(&path);
-        written.map_err(|diagnostics| errors::raise(py, &self.inner, &diagnostics))
+        let written = self.session().write(&path);
+        written.map_err(|diagnostics| errors::raise(py, self.session(), &diagnostics))
     }
 }
 
 impl Session {
+    fn session(&mut self) -> &mut flexure::Session {
+        self.inner.get_mut().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Raises if there are errors; else returns the warnings.
-    fn settle<'py>(&self, py: Python<'py>, report: &Report) -> PyResult<Bound<'py, PyList>> {
+    fn settle<'py>(&mut self, py: Python<'py>, report: &Report) -> PyResult<Bound<'py, PyList>> {
         if report.has_errors() {
-            return Err(errors::raise(py, &self.inner, &report.diagnostics));
+            return Err(errors::raise(py, self.session(), &report.diagnostics));
         }
-        errors::to_list(py, &self.inner, &report.diagnostics)
+        errors::to_list(py, self.session(), &report.diagnostics)
     }
 }
