@@ -116,7 +116,7 @@ impl Session {
 
     /// Value, unit label and expression text of an attribute, in model units.
     fn attribute<'py>(
-        &self,
+        &mut self,
         py: Python<'py>,
         object: &str,
         name: &str,
