@@ -29,21 +29,19 @@ impl Interpreter {
             self.bind(program, span, keywords, &command, arguments, errors)
         });
         match outcome {
-            Ok(call) => {
-                self.echo_now(program, span);
-                Ok(call)
-            }
+            Ok(call) => Ok(call),
             Err(errors) => Err(self.opener_failed(program, index, errors)),
         }
     }
 
     fn opener_failed(&mut self, program: &Program, index: usize, errors: Vec<Diagnostic>) -> Flow {
+        self.unit_refused = self.block_depth == 0;
         self.echo_pending(program, index, Some(&errors));
         self.failed(errors)
     }
 
-    /// Whether a condition holds.
-    fn condition(&mut self, program: &Program, index: usize, call: &Call) -> Result<bool, Flow> {
+    /// Whether a condition holds. It is echoed at a depth: that of the arm before, for `elseif`.
+    fn condition(&mut self, program: &Program, index: usize, call: &Call, depth: i64) -> Result<bool, Flow> {
         let outcome = match (call.argument("condition"), call.field("condition")) {
             (Some(argument), Some(field)) => {
                 let field = *field;
@@ -64,6 +62,7 @@ impl Interpreter {
         match outcome {
             Ok(holds) => {
                 self.report.executed += 1;
+                self.echo_at(program, call.span, depth);
                 Ok(holds)
             }
             Err(errors) => Err(self.opener_failed(program, index, errors)),
@@ -76,13 +75,15 @@ impl Interpreter {
             Ok(call) => call,
             Err(flow) => return self.skip_block(program, at + 1, end, flow),
         };
-        let mut taken = match self.condition(program, at, &call) {
+        let mut taken = match self.condition(program, at, &call, self.block_depth as i64) {
             Ok(holds) => holds,
             Err(flow) => return self.skip_block(program, at + 1, end, flow),
         };
+        let inside = self.block_depth as i64 + 1;
         let mut from = at + 1;
         let mut done = false;
         for arm in blocks.arms[at].iter().copied().chain([end]) {
+            let here = if taken && !done { inside } else { -inside };
             if taken && !done {
                 done = true;
                 self.block_depth += 1;
@@ -92,10 +93,16 @@ impl Interpreter {
                     return flow;
                 }
             } else {
+                self.block_depth += 1;
                 self.echo_skipped(program, from, arm);
+                self.block_depth -= 1;
             }
             if arm == end {
+                self.close(program, end, here);
                 break;
+            }
+            if blocks.control[arm] == Control::Else || done {
+                self.echo_at(program, program.statements[arm].statement.span, here);
             }
             from = arm + 1;
             taken = match blocks.control[arm] {
@@ -104,13 +111,12 @@ impl Interpreter {
                     true
                 }
                 _ if done => false,
-                _ => match self.opener(program, arm).and_then(|call| self.condition(program, arm, &call)) {
+                _ => match self.opener(program, arm).and_then(|call| self.condition(program, arm, &call, here)) {
                     Ok(holds) => holds,
                     Err(flow) => return self.skip_block(program, from, end, flow),
                 },
             };
         }
-        self.close(program, end);
         Flow::Next
     }
 
@@ -124,10 +130,10 @@ impl Interpreter {
         flow
     }
 
-    fn close(&mut self, program: &Program, end: usize) {
+    fn close(&mut self, program: &Program, end: usize, depth: i64) {
         if let Some(parsed) = program.statements.get(end) {
             self.report.executed += 1;
-            self.echo_now(program, parsed.statement.span);
+            self.echo_at(program, parsed.statement.span, depth);
         }
         if self.undo_blocks == 0 {
             self.database.finish_step();
@@ -149,13 +155,19 @@ impl Interpreter {
         };
         let mut passes = 0u64;
         loop {
-            match self.condition(program, at, &call) {
+            match self.condition(program, at, &call, self.block_depth as i64) {
                 Ok(true) => {}
                 Ok(false) => {
+                    self.block_depth += 1;
                     self.echo_skipped(program, at + 1, end);
+                    self.block_depth -= 1;
                     break;
                 }
-                Err(flow) => return self.skip_block(program, at + 1, end, flow),
+                Err(flow) => {
+                    // What the passes before did is kept, and so is what was typed.
+                    self.unit_refused &= passes == 0;
+                    return self.skip_block(program, at + 1, end, flow);
+                }
             }
             if passes > 0 && echo_all {
                 self.echo_again(program, at + 1);
@@ -176,13 +188,22 @@ impl Interpreter {
                 return self.failed(vec![error]);
             }
         }
-        self.close(program, end);
+        self.close(program, end, -(self.block_depth as i64) - 1);
         Flow::Next
     }
 
     fn pass(&mut self, program: &Program, blocks: &Blocks, at: usize, end: usize) -> Flow {
         self.block_depth += 1;
         let flow = self.run_range(program, blocks, at + 1, end);
+        match flow {
+            Flow::Abort | Flow::Return => {}
+            Flow::Break | Flow::Continue => self.echo_skipped(program, at + 1, end + 1),
+            _ => {
+                if let Some(parsed) = program.statements.get(end) {
+                    self.echo_now(program, parsed.statement.span);
+                }
+            }
+        }
         self.block_depth -= 1;
         flow
     }
@@ -205,9 +226,12 @@ impl Interpreter {
             }
         };
         self.report.executed += 1;
+        self.echo_now(program, call.span);
         self.report.diagnostics.extend(call.unused());
         if values.is_empty() {
+            self.block_depth += 1;
             self.echo_skipped(program, at + 1, end);
+            self.block_depth -= 1;
         }
         for (pass, value) in values.into_iter().enumerate() {
             let name = if matches!(value, Value::Object(_)) { "object_value" } else { "real_value" };
@@ -236,7 +260,7 @@ impl Interpreter {
                 return Flow::Next;
             }
         }
-        self.close(program, end);
+        self.close(program, end, -(self.block_depth as i64) - 1);
         self.end_loop(variable, &call);
         if self.undo_blocks == 0 {
             self.database.finish_step();

@@ -93,6 +93,8 @@ pub struct Interpreter {
     pub(crate) unmade_solids: Vec<String>,
     pub(crate) undo_blocks: usize,
     pub(crate) suppress_undo: bool,
+    /// Whether the statement or block opener at the outermost level of a program was refused.
+    pub(crate) unit_refused: bool,
     /// Depth of blocks, for the journal; negative in the journal while skipping.
     pub(crate) block_depth: usize,
     interrupt: Arc<AtomicBool>,
@@ -128,6 +130,7 @@ impl Interpreter {
             unmade_solids: Vec::new(),
             undo_blocks: 0,
             suppress_undo: false,
+            unit_refused: false,
             block_depth: 0,
             interrupt: Arc::new(AtomicBool::new(false)),
         }
@@ -187,7 +190,7 @@ impl Interpreter {
         self.report = Report::default();
         let file = self.sources.add(name, text);
         if let Some(journal) = &mut self.journal {
-            journal.raw(text);
+            journal.expect_typed();
         }
         self.run_source(file);
         self.take_report()
@@ -238,15 +241,15 @@ impl Interpreter {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         let blocks = Blocks::of(program, &words);
         let journal_state = self.journal.as_mut().map(Journal::begin_program);
-        let flow = self.run_range(program, &blocks, 0, program.statements.len());
+        let depth = std::mem::take(&mut self.block_depth);
+        let flow = self.run_units(program, &blocks);
+        if flow != Flow::Abort {
+            self.warn_unclosed(program, &blocks.unclosed);
+        }
         self.echo_rest(program, flow);
+        self.block_depth = depth;
         if let (Some(journal), Some(state)) = (&mut self.journal, journal_state) {
             journal.end_program(state);
-        }
-        if flow != Flow::Abort {
-            for opener in &blocks.unclosed {
-                self.warn_unclosed(program, *opener);
-            }
         }
         match flow {
             Flow::Abort => {
@@ -257,15 +260,43 @@ impl Interpreter {
         }
     }
 
-    fn warn_unclosed(&mut self, program: &Program, opener: usize) {
+    fn warn_unclosed(&mut self, program: &Program, openers: &[usize]) {
+        let Some((&first, others)) = openers.split_first() else { return };
         let name = self.sources.name(program.file).to_string();
-        let span = program.statements[opener].statement.span;
-        let warning = Diagnostic::warning("command/unclosed-block", "this block has no `end`")
-            .at(span, "opened here")
+        let place = |opener: usize| program.statements[opener].statement.span;
+        let mut warning = Diagnostic::warning("command/unclosed-block", "this block has no `end`")
+            .at(place(first), "opened here")
             .help("close it with a line that holds the word `end` alone")
             .adams(name)
             .adams("The preceding file or macro has an IF, WHILE, or FOR without a matching END.");
+        for other in others {
+            warning = warning.label(place(*other), "nor has this one");
+        }
         self.complain(vec![warning]);
+    }
+
+    /// Runs the statements and blocks of a program one after the other, for the journal to keep
+    /// what was typed and has not failed.
+    fn run_units(&mut self, program: &Program, blocks: &Blocks) -> Flow {
+        let mut at = 0;
+        while at < program.statements.len() {
+            let (block, next) = match blocks.control[at] {
+                Control::If | Control::While | Control::For => (true, blocks.end[at] + 1),
+                _ => (false, at + 1),
+            };
+            let next = next.min(program.statements.len());
+            let mark = self.journal.as_ref().map(Journal::mark);
+            let flow = self.run_range(program, blocks, at, next);
+            let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block;
+            if let (Some(journal), Some(mark)) = (&mut self.journal, mark) {
+                journal.keep_typed(program, mark, next, refused);
+            }
+            if flow != Flow::Next {
+                return flow;
+            }
+            at = next;
+        }
+        Flow::Next
     }
 
     /// Runs the statements `from..to`.

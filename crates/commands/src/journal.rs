@@ -16,8 +16,20 @@ pub struct Journal {
     lines: Vec<String>,
     /// First physical line of the running program that is not echoed yet, from 0.
     next_line: usize,
+    /// First physical line of the running program that is not kept as typed yet, from 0.
+    kept_to: usize,
+    /// Whether the running program was typed, and whether the next one is.
+    typed: bool,
+    typed_next: bool,
     /// Messages of the report that are already written.
     reported: usize,
+}
+
+/// How far the program that runs another has come.
+pub(crate) struct Outer {
+    next_line: usize,
+    kept_to: usize,
+    typed: bool,
 }
 
 impl Journal {
@@ -41,12 +53,37 @@ impl Journal {
         self.lines.push(format!("! {line}"));
     }
 
-    pub(crate) fn begin_program(&mut self) -> usize {
-        std::mem::replace(&mut self.next_line, 0)
+    /// The next program is text that was typed.
+    pub(crate) fn expect_typed(&mut self) {
+        self.typed_next = true;
     }
 
-    pub(crate) fn end_program(&mut self, state: usize) {
-        self.next_line = state;
+    pub(crate) fn begin_program(&mut self) -> Outer {
+        let outer = Outer { next_line: self.next_line, kept_to: self.kept_to, typed: self.typed };
+        (self.next_line, self.kept_to, self.typed) = (0, 0, std::mem::take(&mut self.typed_next));
+        outer
+    }
+
+    pub(crate) fn end_program(&mut self, outer: Outer) {
+        (self.next_line, self.kept_to, self.typed) = (outer.next_line, outer.kept_to, outer.typed);
+    }
+
+    /// Where what is typed next will stand.
+    pub(crate) fn mark(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// Puts what was typed, up to the statement before `next`, in front of its echoes. What was
+    /// refused is not kept, so that the journal can be read again.
+    pub(crate) fn keep_typed(&mut self, program: &Program, mark: usize, next: usize, refused: bool) {
+        let Some(last) = next.checked_sub(1).and_then(|i| program.statements.get(i)) else { return };
+        let end = program.line_number(last.statement.span.end) + 1;
+        if self.typed && !refused {
+            let typed = (self.kept_to..end).map(|line| program.line(line).to_string());
+            let at = mark.min(self.lines.len());
+            self.lines.splice(at..at, typed);
+        }
+        self.kept_to = end;
     }
 
     /// Echoes lines up to `to`, of which those from `first_of_statement` on are one statement.
@@ -72,7 +109,11 @@ fn prefix(depth: i64, continued: bool) -> String {
 impl Interpreter {
     /// Echoes a statement that is about to run something that echoes itself.
     pub(crate) fn echo_now(&mut self, program: &Program, span: text::Span) {
-        let depth = self.block_depth as i64;
+        self.echo_at(program, span, self.block_depth as i64);
+    }
+
+    /// Echoes a statement at a depth of blocks; a negative one means that it was not executed.
+    pub(crate) fn echo_at(&mut self, program: &Program, span: text::Span, depth: i64) {
         if let Some(journal) = &mut self.journal {
             let first = program.line_number(span.start);
             journal.echo(program, first, program.line_number(span.end) + 1, depth);
@@ -91,7 +132,8 @@ impl Interpreter {
             (Some(error), Some(place)) if journal.next_line < last => {
                 let faulty = program.line_number(place.span.end).clamp(first, last - 1);
                 journal.echo(program, first, faulty, depth);
-                let column = column_of(program, place.span.end) + extra_column(error);
+                let opening = error.code == "command/unknown-keyword" && place.span.start == span.start;
+                let column = column_of(program, place.span.end) + extra_column(program, error, place.span, opening);
                 journal.boxed(program, error, (first, faulty, last), column, self.sources.name(program.file), depth);
             }
             (Some(error), _) => {
@@ -167,8 +209,10 @@ impl Journal {
             Severity::Warning => "WARNING:  ",
             Severity::Note => "",
         };
+        // This one message has its mark on both lines.
+        let all = diagnostic.code == "command/unclosed-block";
         for (i, line) in texts(diagnostic).iter().enumerate() {
-            self.message(&format!("{}{line}", if i == 0 { word } else { "" }));
+            self.message(&format!("{}{line}", if i == 0 || all { word } else { "" }));
         }
     }
 
@@ -203,7 +247,11 @@ fn column_of(program: &Program, offset: u32) -> usize {
     before.rsplit('\n').next().unwrap_or("").chars().count()
 }
 
-/// Adams counts one column more behind a word and two behind the name of an object.
-fn extra_column(error: &Diagnostic) -> usize {
-    if error.code.starts_with("name/") { 2 } else { 1 }
+/// Adams counts one column more behind a word, and two behind the name of an object that should
+/// exist and behind a first keyword; never more than the line has.
+fn extra_column(program: &Program, error: &Diagnostic, place: text::Span, first: bool) -> usize {
+    let existing = error.code.starts_with("name/") && error.code != "name/taken";
+    let wanted = if existing || first { 2 } else { 1 };
+    let line = program.line(program.line_number(place.end)).chars().count();
+    wanted.min(line.saturating_sub(column_of(program, place.end)))
 }

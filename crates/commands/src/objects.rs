@@ -137,7 +137,7 @@ impl Interpreter {
             }
             self.set_fields(id, call)?;
             self.clear_by_no(id, call);
-            if call.path.ends_with("mass_properties") {
+            if call.path.starts_with("part ") && class.id == "part" {
                 self.warn_about_mass(id, call);
             }
             self.database.make_current(id);
@@ -368,7 +368,7 @@ impl Interpreter {
     }
 
     fn warn_about_mass(&mut self, id: ObjectId, call: &Call) {
-        if call.argument("mass").is_some() && self.database.reference(id, "center_of_mass_marker").is_none() {
+        if self.database.value(id, "mass").is_some() && self.database.reference(id, "center_of_mass_marker").is_none() {
             let name = self.database.full_name(id);
             self.report.diagnostics.push(
                 Diagnostic::warning(

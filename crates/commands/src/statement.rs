@@ -23,6 +23,7 @@ impl Interpreter {
         let mark = self.database.mark();
         let before = self.report.diagnostics.len();
         let outcome = self.try_statement(program, index, control);
+        self.unit_refused = outcome.is_err() && self.block_depth == 0;
         self.echo_pending(program, index, outcome.as_ref().err());
         match outcome {
             Ok(flow) => {
