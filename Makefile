@@ -14,7 +14,8 @@ run: build wheel
 	@mkdir -p $(OUT)
 	target/release/flexure verify examples/rotor/rotor.cmd
 	target/release/flexure run examples/rotor/rotor.cmd --out $(OUT) --journal $(OUT)/rotor.log
-	target/release/flexure plot $(OUT)/rotor_1_dynamic.csv -o $(OUT)/rotor_tip.png -s TIP_1.X -s TIP_1.Y -s ROOT_1.X --title "Rotor: tip of blade 1 and force in its root"
+	target/release/flexure simulate examples/rotor/rotor.cmd --end 0.5 --steps 500 --out $(OUT)/rotor_start.parquet
+	target/release/flexure plot $(OUT)/rotor_start.parquet -o $(OUT)/rotor_tip.png -s TIP_1.X -s TIP_1.Y -s ROOT_1.X --title "Rotor: tip of blade 1 and force in its root"
 	target/release/flexure plot examples/rotor/rotor.cmd -o $(OUT)/rotor_model.png
 	target/release/flexure convert examples/rotor/rotor.cmd $(OUT)/rotor.adm
 	$(BIN)/python examples/rotor/rotor.py $(OUT)

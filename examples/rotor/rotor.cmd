@@ -319,6 +319,59 @@ force create element_like beam  &
    damping_ratio = 5.0E-03  &
    formulation = linear
 !
+geometry create shape cylinder  &
+   cylinder_name = .rotor.hub.drum  &
+   center_marker = .rotor.hub.cm  &
+   length = 80.0  &
+   radius = 100.0  &
+   side_count_for_body = 24
+!
+part attributes  &
+   part_name = .rotor.hub  &
+   color = GREEN
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_1_1.body  &
+   center_marker = .rotor.blade_1_1.cm  &
+   x_scale_factor = 300.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_1_2.body  &
+   center_marker = .rotor.blade_1_2.cm  &
+   x_scale_factor = 300.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_1_3.body  &
+   center_marker = .rotor.blade_1_3.cm  &
+   x_scale_factor = 150.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_2_1.body  &
+   center_marker = .rotor.blade_2_1.cm  &
+   x_scale_factor = 300.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_2_2.body  &
+   center_marker = .rotor.blade_2_2.cm  &
+   x_scale_factor = 300.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
+geometry create shape ellipsoid  &
+   ellipsoid_name = .rotor.blade_2_3.body  &
+   center_marker = .rotor.blade_2_3.cm  &
+   x_scale_factor = 150.0  &
+   y_scale_factor = 60.0  &
+   z_scale_factor = 12.0
+!
 constraint create joint revolute  &
    joint_name = .rotor.bearing  &
    i_marker_name = .rotor.hub.cm  &

@@ -41,8 +41,8 @@ pub fn picture(lines: &[Polyline], request: &PictureRequest) -> Result<Vec<u8>, 
         .ok_or_else(|| PlotError("the model has nothing to draw".into()))?;
     embed_font()?;
     match request.format {
-        Format::Svg => svg(request.size, |root| draw(root, request, &flat, &frame)),
-        Format::Png => png(request.size, |root| draw(root, request, &flat, &frame)),
+        Format::Svg => svg(request.size, |root| draw(root, request, &flat, &frame, 1)),
+        Format::Png => png(request.size, |root, scale| draw(root, request, &flat, &frame, scale)),
     }
 }
 
@@ -80,10 +80,11 @@ impl Frame {
         })
     }
 
-    fn pixel(&self, p: (f64, f64)) -> (i32, i32) {
+    /// Where a point lies on a canvas that is `scale` times larger than the picture.
+    fn pixel(&self, p: (f64, f64), scale: u32) -> (i32, i32) {
         let x = self.middle.0 + (p.0 - self.centre.0) * self.scale;
         let y = self.middle.1 - (p.1 - self.centre.1) * self.scale;
-        (x.round() as i32, y.round() as i32)
+        ((x * f64::from(scale)).round() as i32, (y * f64::from(scale)).round() as i32)
     }
 }
 
@@ -92,29 +93,35 @@ fn draw<B: DrawingBackend>(
     request: &PictureRequest,
     lines: &[(Vec<(f64, f64)>, &Polyline)],
     frame: &Frame,
+    scale: u32,
 ) -> Drawn<B::ErrorType> {
     root.fill(&WHITE)?;
-    let root = &root.titled(request.title, (FONT, 20).into_font().color(&INK))?;
+    root.margin(8 * scale, 0, 0, 0).titled(request.title, (FONT, 20 * scale).into_font().color(&INK))?;
     for (points, line) in lines {
         let [r, g, b] = line.colour;
-        let style = RGBColor(r, g, b).mix(line.opacity).stroke_width(line.width.max(1));
-        let pixels: Vec<(i32, i32)> = points.iter().map(|p| frame.pixel(*p)).collect();
+        let style = RGBColor(r, g, b).mix(line.opacity).stroke_width(line.width.max(1) * scale);
+        let pixels: Vec<(i32, i32)> = points.iter().map(|p| frame.pixel(*p, scale)).collect();
         root.draw(&PathElement::new(pixels, style))?;
     }
-    draw_triad(root, request)
+    draw_triad(root, request, scale)
 }
 
 /// The three axes in the lower left corner.
-fn draw_triad<B: DrawingBackend>(root: &DrawingArea<B, Shift>, request: &PictureRequest) -> Drawn<B::ErrorType> {
-    let corner = (60, request.size.1 as i32 - 90);
+fn draw_triad<B: DrawingBackend>(
+    root: &DrawingArea<B, Shift>,
+    request: &PictureRequest,
+    scale: u32,
+) -> Drawn<B::ErrorType> {
+    let factor = scale as i32;
+    let corner = (60 * factor, (request.size.1 as i32 - 60) * factor);
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let mut unit = [0.0; 3];
-        unit[axis] = 34.0;
+        unit[axis] = 34.0 * f64::from(scale);
         let (dx, dy) = project(unit, request.up);
         let end = (corner.0 + dx as i32, corner.1 - dy as i32);
-        root.draw(&PathElement::new([corner, end], INK.stroke_width(1)))?;
-        let place = (corner.0 + (dx * 1.25) as i32 - 4, corner.1 - (dy * 1.25) as i32 - 6);
-        root.draw(&Text::new(name, place, (FONT, 13).into_font().color(&INK)))?;
+        root.draw(&PathElement::new([corner, end], INK.stroke_width(scale)))?;
+        let place = (corner.0 + (dx * 1.25) as i32 - 4 * factor, corner.1 - (dy * 1.25) as i32 - 6 * factor);
+        root.draw(&Text::new(name, place, (FONT, 13 * scale).into_font().color(&INK)))?;
     }
     Ok(())
 }

@@ -71,8 +71,8 @@ pub fn plot(table: &Table, request: &PlotRequest) -> Result<Vec<u8>, PlotError> 
     }
     embed_font()?;
     match request.format {
-        Format::Svg => svg(request.size, |root| draw(root, request.title, time, &panels)),
-        Format::Png => png(request.size, |root| draw(root, request.title, time, &panels)),
+        Format::Svg => svg(request.size, |root| draw(root, request.title, time, &panels, 1)),
+        Format::Png => png(request.size, |root, scale| draw(root, request.title, time, &panels, scale)),
     }
 }
 
@@ -108,19 +108,25 @@ pub(crate) fn svg(
     Ok(text.into_bytes())
 }
 
-/// Runs a drawing as PNG.
+/// Pixels drawn for one pixel of a PNG, in each direction: lines come out smooth.
+const OVERSAMPLING: u32 = 3;
+
+/// Runs a drawing as PNG. The drawing is told by which factor everything is larger while it draws.
 pub(crate) fn png(
     size: (u32, u32),
     draw: impl for<'a> FnOnce(
         &DrawingArea<BitMapBackend<'a>, Shift>,
+        u32,
     ) -> Drawn<<BitMapBackend<'a> as DrawingBackend>::ErrorType>,
 ) -> Result<Vec<u8>, PlotError> {
-    let mut pixels = vec![255; size.0 as usize * size.1 as usize * 3];
+    let large = (size.0 * OVERSAMPLING, size.1 * OVERSAMPLING);
+    let mut drawn = vec![255; large.0 as usize * large.1 as usize * 3];
     {
-        let root = BitMapBackend::with_buffer(&mut pixels, size).into_drawing_area();
-        draw(&root).map_err(failed)?;
+        let root = BitMapBackend::with_buffer(&mut drawn, large).into_drawing_area();
+        draw(&root, OVERSAMPLING).map_err(failed)?;
         root.present().map_err(failed)?;
     }
+    let pixels = shrink(&drawn, size);
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, size.0, size.1);
     encoder.set_color(png::ColorType::Rgb);
@@ -129,6 +135,25 @@ pub(crate) fn png(
     writer.write_image_data(&pixels).map_err(failed)?;
     writer.finish().map_err(failed)?;
     Ok(file)
+}
+
+/// Averages squares of pixels.
+fn shrink(large: &[u8], (width, height): (u32, u32)) -> Vec<u8> {
+    let (width, height, factor) = (width as usize, height as usize, OVERSAMPLING as usize);
+    let stride = width * factor * 3;
+    let mut small = Vec::with_capacity(width * height * 3);
+    for y in 0..height {
+        for x in 0..width {
+            for channel in 0..3 {
+                let first = y * factor * stride + x * factor * 3 + channel;
+                let sum: usize = (0..factor * factor)
+                    .map(|k| usize::from(large[first + (k / factor) * stride + (k % factor) * 3]))
+                    .sum();
+                small.push((sum / (factor * factor)) as u8);
+            }
+        }
+    }
+    small
 }
 
 fn choose<'t>(table: &'t Table, names: &[String]) -> Result<Vec<&'t Series>, PlotError> {
@@ -174,12 +199,13 @@ fn draw<B: DrawingBackend>(
     title: &str,
     time: &Series,
     panels: &[Vec<&Series>],
+    scale: u32,
 ) -> Drawn<B::ErrorType> {
     root.fill(&WHITE)?;
-    let body = root.titled(title, (FONT, 20).into_font().color(&INK))?;
+    let body = root.margin(8 * scale, 0, 0, 0).titled(title, (FONT, 20 * scale).into_font().color(&INK))?;
     let areas = body.split_evenly((panels.len(), 1));
     for (index, (area, panel)) in areas.iter().zip(panels).enumerate() {
-        draw_panel(area, time, panel, index + 1 == panels.len())?;
+        draw_panel(area, time, panel, index + 1 == panels.len(), scale)?;
     }
     Ok(())
 }
@@ -189,14 +215,15 @@ fn draw_panel<B: DrawingBackend>(
     time: &Series,
     panel: &[&Series],
     last: bool,
+    scale: u32,
 ) -> Drawn<B::ErrorType> {
     let (t0, t1) = span(time.values.iter().copied(), 0.0);
     let (y0, y1) = span(panel.iter().flat_map(|s| s.values.iter().copied()), 0.06);
     let mut chart = ChartBuilder::on(area)
-        .margin(12)
-        .margin_right(24)
-        .x_label_area_size(if last { 46 } else { 28 })
-        .y_label_area_size(92)
+        .margin(12 * scale)
+        .margin_right(24 * scale)
+        .x_label_area_size(scale * if last { 46 } else { 28 })
+        .y_label_area_size(92 * scale)
         .build_cartesian_2d(t0..t1, y0..y1)?;
     let step = |from: f64, to: f64| (to - from) / 8.0;
     let (x_step, y_step) = (step(t0, t1), step(y0, y1));
@@ -211,10 +238,11 @@ fn draw_panel<B: DrawingBackend>(
     let mut mesh = chart.configure_mesh();
     let (x_label, y_label) = (move |x: &f64| tick(*x, x_step), move |y: &f64| tick(*y, y_step));
     mesh.light_line_style(TRANSPARENT)
-        .bold_line_style(GRID)
-        .axis_style(INK)
-        .label_style((FONT, 13).into_font().color(&INK))
-        .axis_desc_style((FONT, 14).into_font().color(&INK))
+        .bold_line_style(GRID.stroke_width(scale))
+        .axis_style(INK.stroke_width(scale))
+        .label_style((FONT, 13 * scale).into_font().color(&INK))
+        .axis_desc_style((FONT, 14 * scale).into_font().color(&INK))
+        .set_all_tick_mark_size(5 * scale)
         .x_label_formatter(&x_label)
         .y_label_formatter(&y_label)
         .x_labels(10)
@@ -227,18 +255,19 @@ fn draw_panel<B: DrawingBackend>(
     for (index, series) in panel.iter().enumerate() {
         let colour = PALETTE[index % PALETTE.len()];
         let points = time.values.iter().copied().zip(series.values.iter().copied()).filter(|p| p.1.is_finite());
-        chart
-            .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-            .label(series.name.as_str())
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], colour.stroke_width(2)));
+        chart.draw_series(LineSeries::new(points, colour.stroke_width(2 * scale)))?.label(series.name.as_str()).legend(
+            move |(x, y)| PathElement::new([(x, y), (x + 22 * scale as i32, y)], colour.stroke_width(2 * scale)),
+        );
     }
     if panel.len() > 1 {
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
+            .position(SeriesLabelPosition::UpperRight)
+            .legend_area_size(30 * scale)
+            .margin(8 * scale)
             .background_style(WHITE.mix(0.85))
-            .border_style(GRID)
-            .label_font((FONT, 13).into_font().color(&INK))
+            .border_style(GRID.stroke_width(scale))
+            .label_font((FONT, 13 * scale).into_font().color(&INK))
             .draw()?;
     }
     Ok(())
