@@ -83,8 +83,6 @@ impl Layout {
     }
 
     pub fn pattern(&self, forces: &[Box<dyn Force>], constraints: &[Box<dyn Constraint>]) -> Pattern {
-        let mut sizes: Vec<usize> = self.bodies.iter().map(|slot| slot.size).collect();
-        sizes.extend(self.constraints.iter().map(|slot| slot.equations.len()).filter(|&size| size > 0));
         let mut pairs = Vec::new();
         let mut couple = |bodies: &[BodyId]| {
             for (at, a) in bodies.iter().enumerate() {
@@ -101,6 +99,17 @@ impl Layout {
         for constraint in constraints {
             couple(&constraint.bodies());
         }
+        self.with_constraints(constraints, pairs)
+    }
+
+    /// The pattern of masses and constraints alone.
+    pub fn mass_pattern(&self, constraints: &[Box<dyn Constraint>]) -> Pattern {
+        self.with_constraints(constraints, Vec::new())
+    }
+
+    fn with_constraints(&self, constraints: &[Box<dyn Constraint>], mut pairs: Vec<(usize, usize)>) -> Pattern {
+        let mut sizes: Vec<usize> = self.bodies.iter().map(|slot| slot.size).collect();
+        sizes.extend(self.constraints.iter().map(|slot| slot.equations.len()).filter(|&size| size > 0));
         for (slot, constraint) in self.constraints.iter().zip(constraints) {
             if let Some(block) = slot.block {
                 pairs.extend(constraint.bodies().iter().map(|body| (body.0 as usize, block)));

@@ -25,12 +25,25 @@ impl Dae for System {
         self.layout.pattern(&self.forces, &self.constraints)
     }
 
+    fn mass_pattern(&self) -> Pattern {
+        self.layout.mass_pattern(&self.constraints)
+    }
+
+    /// Translations weigh against a tenth of the size of the model, so that the accuracy of a run
+    /// does not depend on the unit the model is written in; of one unit where the model is smaller.
+    /// A tenth, because forces of stiff elements show errors that positions hide: at an error of
+    /// 1e-5 each step is then right to a millionth of the model's size.
     fn scales(&self) -> Scales {
-        let mut increments = vec![1.0; self.layout.velocities];
-        for slot in &self.layout.bodies {
-            increments[slot.velocity..slot.velocity + 3].fill(self.length_unit);
-        }
-        Scales { increments }
+        self.scales_with(0.1 * self.length_unit.max(self.size))
+    }
+
+    fn units(&self) -> Scales {
+        self.scales_with(self.length_unit)
+    }
+
+    fn is_linear_in_accelerations(&self) -> bool {
+        // Loads see positions and velocities only.
+        true
     }
 
     fn is_rotation(&self, velocity: usize) -> bool {
@@ -134,6 +147,14 @@ impl Dae for System {
 }
 
 impl System {
+    fn scales_with(&self, translation: f64) -> Scales {
+        let mut increments = vec![1.0; self.layout.velocities];
+        for slot in &self.layout.bodies {
+            increments[slot.velocity..slot.velocity + 3].fill(translation);
+        }
+        Scales { increments }
+    }
+
     /// Forces and gravity on all bodies, before the load factor.
     fn collect_loads(&mut self) -> Result<(), Evaluation> {
         for (load, body) in self.loads.loads.iter_mut().zip(&self.bodies) {
@@ -253,6 +274,9 @@ impl System {
                     values[r * size..(r + 1) * size].copy_from_slice(&rows[equation][..size]);
                 }
                 add(body, block, values);
+            }
+            if at.stiffness == 0.0 {
+                continue;
             }
             let multipliers = &mut self.scratch[..slot.active.len()];
             spread(slot, at.lambda, multipliers);

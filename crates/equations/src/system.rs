@@ -32,6 +32,8 @@ pub struct System {
     pub(crate) gravity_g: DVec3,
     pub(crate) load_factor: f64,
     pub(crate) length_unit: f64,
+    /// Characteristic size at the start, m; see [`System::size`].
+    pub(crate) size: f64,
     pub(crate) layout: Layout,
     pub(crate) state: State,
     pub(crate) cache: Cache,
@@ -80,6 +82,7 @@ impl System {
                 message: format!("`{name}` refers to a body or marker that is not in the system"),
             });
         }
+        let size = characteristic_size(&bodies, &frames, &forces, &constraints);
         let layout = Layout::new(&bodies, &constraints);
         let rows: Vec<_> = constraints.iter().map(|c| ConstraintRows::for_constraint(c.as_ref())).collect();
         let most = constraints.iter().map(|c| c.equations()).max().unwrap_or(0);
@@ -94,6 +97,7 @@ impl System {
             gravity_g,
             load_factor: 1.0,
             length_unit: 1.0,
+            size,
             layout,
             state,
             cache,
@@ -153,7 +157,15 @@ impl System {
         self.load_factor = factor;
     }
 
-    /// Length of the model's unit in metres; sets the error norm.
+    /// Largest distance, at the start, from the centroid of the bodies' centres of mass to a centre
+    /// of mass or a marker on a body or under an element, m. It does not change when the model is
+    /// moved or turned as a whole.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// Length of the model's unit in metres: assembly and statics measure translations in it, and
+    /// integration does where the model is smaller than one unit.
     pub fn set_length_unit(&mut self, metres: f64) {
         self.length_unit = metres;
     }
@@ -280,6 +292,29 @@ impl System {
         }
         sum
     }
+}
+
+/// See [`System::size`].
+fn characteristic_size(
+    bodies: &[Body],
+    frames: &[Frame],
+    forces: &[Box<dyn Force>],
+    constraints: &[Box<dyn Constraint>],
+) -> f64 {
+    let centroid = bodies.iter().map(|body| body.initial.r_gb_g).sum::<DVec3>() / bodies.len().max(1) as f64;
+    let place = |frame: &Frame| match bodies.get(frame.body.0 as usize) {
+        Some(body) => body.initial.r_gb_g + body.initial.q_gb.normalize() * frame.r_bi_b,
+        None => frame.r_bi_b,
+    };
+    // Markers on ground that nothing acts on may be anywhere: views, construction.
+    let ends = |sides: [Option<FrameId>; 2]| sides.into_iter().flatten();
+    let used = forces.iter().flat_map(|force| ends([Side::I, Side::J].map(|side| force.frame(side))));
+    let used = used.chain(constraints.iter().flat_map(|c| ends([Side::I, Side::J].map(|side| c.frame(side)))));
+    let used = used.filter_map(|id| frames.get(id.0 as usize));
+    let on_bodies = frames.iter().filter(|frame| frame.body != GROUND);
+    let places = bodies.iter().map(|body| body.initial.r_gb_g).chain(used.chain(on_bodies).map(place));
+    let size = places.map(|r| r.distance(centroid)).fold(0.0, f64::max);
+    if size.is_finite() { size } else { 0.0 }
 }
 
 /// Multipliers of all equations of a constraint from those of the active ones.

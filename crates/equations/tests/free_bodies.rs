@@ -124,5 +124,5 @@ fn gravity_load_factor_and_statics() {
     assert_all_close(&r, &[0.0, 0.0, weight, 0.0, 0.0, 0.0, 0.0, 0.0, weight], 1e-15, "residual");
     assert_eq!(system.kinetic_energy(), 0.0);
     system.set_length_unit(1e-3);
-    assert_eq!(system.scales().increments, [1e-3, 1e-3, 1e-3, 1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3]);
+    assert_eq!(system.units().increments, [1e-3, 1e-3, 1e-3, 1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3]);
 }

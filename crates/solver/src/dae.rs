@@ -25,8 +25,7 @@ pub struct Pattern {
 /// Weights of the error norms, one for each velocity-level unknown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scales {
-    /// 1 model length unit (in SI) for translations, 1 rad for rotations: an increment of that
-    /// size weighs 1 in the norm.
+    /// An increment of this size (SI, rad) weighs 1 in the norm.
     pub increments: Vec<f64>,
 }
 
@@ -45,7 +44,27 @@ pub trait Dae {
     fn velocities(&self) -> usize;
     fn constraints(&self) -> usize;
     fn pattern(&self) -> Pattern;
+
+    /// Structure of the matrix without stiffness and damping: masses and constraints. The fewer
+    /// blocks it has, the less consistent accelerations cost.
+    fn mass_pattern(&self) -> Pattern {
+        self.pattern()
+    }
+
+    /// Weights of the errors of integration.
     fn scales(&self) -> Scales;
+
+    /// The unit that an increment of each velocity-level unknown is measured in by assembly and
+    /// statics: 1 model length unit (in SI) or 1 rad.
+    fn units(&self) -> Scales {
+        self.scales()
+    }
+
+    /// True when accelerations and multipliers are in `r` as `M a + B^T lambda` and nowhere else:
+    /// consistent ones are then found without iterating.
+    fn is_linear_in_accelerations(&self) -> bool {
+        false
+    }
 
     /// `out = q o exp(increment)`. `out` and `q` may not alias.
     fn retract(&self, q: &[f64], increment: &[f64], out: &mut [f64]);

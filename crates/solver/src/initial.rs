@@ -27,11 +27,11 @@ fn constraints_only(state: &SystemState) -> JacobianPoint<'_> {
 
 /// Weights per squared model unit.
 fn weighted(dae: &dyn Dae, weights: &[f64]) -> Vec<f64> {
-    let scales = dae.scales().increments;
+    let units = dae.units().increments;
     (0..dae.velocities())
         .map(|i| {
-            let scale = scales.get(i).copied().unwrap_or(1.0);
-            weights.get(i).copied().unwrap_or(1.0) / (scale * scale)
+            let unit = units.get(i).copied().unwrap_or(1.0);
+            weights.get(i).copied().unwrap_or(1.0) / (unit * unit)
         })
         .collect()
 }
@@ -46,8 +46,8 @@ pub fn displacements(dae: &mut dyn Dae, state: &mut SystemState, weights: &[f64]
         return Ok(Assembly { iterations: 0, residual: 0.0 });
     }
     let weights = weighted(dae, weights);
-    let norm = Norm::new(dae, 1.0);
-    let mut matrix = NewtonMatrix::new(&dae.pattern());
+    let norm = Norm::of_units(dae, 1.0);
+    let mut matrix = NewtonMatrix::new(&dae.mass_pattern());
     let start = state.q.clone();
     let mut moved = vec![0.0; n];
     let mut next = state.q.clone();
@@ -96,7 +96,7 @@ pub fn velocities(dae: &mut dyn Dae, state: &mut SystemState, weights: &[f64]) -
         return Ok(());
     }
     let weights = weighted(dae, weights);
-    let mut matrix = NewtonMatrix::new(&dae.pattern());
+    let mut matrix = NewtonMatrix::new(&dae.mass_pattern());
     let mut x = vec![0.0; n + m];
     dae.constraint_velocity(t, &state.q, &mut x[n..]).map_err(Failure::evaluation(t))?;
     x[n..].iter_mut().for_each(|phi| *phi = -*phi);
@@ -114,7 +114,7 @@ pub fn velocities(dae: &mut dyn Dae, state: &mut SystemState, weights: &[f64]) -
 /// Finds `state.a` and `state.lambda` from the equations of motion and `B a = -gamma`.
 pub fn accelerations(dae: &mut dyn Dae, state: &mut SystemState) -> Result<(), Failure> {
     state.fit(dae);
-    let mut matrix = NewtonMatrix::new(&dae.pattern());
+    let mut matrix = NewtonMatrix::new(&dae.mass_pattern());
     Accelerations::default().find(dae, state, &mut matrix)
 }
 
@@ -176,7 +176,7 @@ impl Accelerations {
                 let (worst, size) = largest(&self.x);
                 return Err(Failure::new(Reason::Singular, t).at(dae, worst, size));
             }
-            if change <= 1e-9 * size || change >= 0.5 * last {
+            if dae.is_linear_in_accelerations() || change <= 1e-9 * size || change >= 0.5 * last {
                 break;
             }
             last = change;

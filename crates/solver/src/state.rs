@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Dae, Evaluation};
+use crate::{Dae, Evaluation, Scales};
 
 /// Position, velocity, acceleration and multipliers at one time, SI.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -167,8 +167,17 @@ pub(crate) struct Norm {
 impl Norm {
     /// An increment of `tolerance` times its scale has size one.
     pub fn new(dae: &dyn Dae, tolerance: f64) -> Self {
+        Self::with(dae, &dae.scales(), tolerance)
+    }
+
+    /// The same with units instead of scales.
+    pub fn of_units(dae: &dyn Dae, tolerance: f64) -> Self {
+        Self::with(dae, &dae.units(), tolerance)
+    }
+
+    fn with(dae: &dyn Dae, scales: &Scales, tolerance: f64) -> Self {
         let pattern = dae.pattern();
-        let mut reciprocals: Vec<f64> = dae.scales().increments.iter().map(|s| 1.0 / (tolerance * s)).collect();
+        let mut reciprocals: Vec<f64> = scales.increments.iter().map(|s| 1.0 / (tolerance * s)).collect();
         reciprocals.resize(dae.velocities(), 1.0 / tolerance);
         Self { reciprocals, blocks: pattern.sizes[..pattern.velocity_blocks].to_vec() }
     }

@@ -183,7 +183,7 @@ impl<'a> Search<'a> {
             trial: start.clone(),
             anchor: start.q.clone(),
             matrix: NewtonMatrix::new(&dae.pattern()),
-            norm: Norm::new(dae, options.error),
+            norm: Norm::of_units(dae, options.error),
             limits,
             right: vec![0.0; n + m],
             held: vec![0.0; n + m],

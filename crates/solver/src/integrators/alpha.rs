@@ -26,7 +26,7 @@ const STALE_STEP: f64 = 1.2;
 /// Integrates from `state.t` to `end` and reports the states at the output times.
 ///
 /// Initial accelerations and multipliers are found first. On return, also after a failure or a
-/// stop, `state` is the last one reached. Outputs at or before the start are reported at once.
+/// stop, `state` is the last one reached, its accelerations and multipliers consistent. Outputs at or before the start are reported at once.
 pub fn integrate(
     dae: &mut dyn Dae,
     state: &mut SystemState,
@@ -36,9 +36,16 @@ pub fn integrate(
     observer: &mut dyn Observer,
 ) -> Result<Statistics, Failure> {
     let mut run = Run::new(dae, state, end, outputs, options)?;
-    let result = run.advance(dae, end, outputs, options, observer);
+    let mut result = run.advance(dae, end, outputs, options, observer);
+    if run.reported.t != run.now.t {
+        run.reported.clone_from(&run.now);
+        let consistent = run.make_consistent(dae);
+        if result.is_ok() {
+            result = consistent;
+        }
+    }
     run.matrices_used();
-    state.clone_from(&run.now);
+    std::mem::swap(state, &mut run.reported);
     result.map(|()| run.statistics)
 }
 
@@ -54,6 +61,8 @@ struct Run {
     now: SystemState,
     /// The state tried.
     next: SystemState,
+    /// The state last reported.
+    reported: SystemState,
     /// The acceleration-like variable of the method at both ends of the step.
     algorithmic: Vec<f64>,
     algorithmic_next: Vec<f64>,
@@ -99,7 +108,7 @@ impl Run {
         }
         state.fit(dae);
         let pattern = dae.pattern();
-        let mut consistent = NewtonMatrix::new(&pattern);
+        let mut consistent = NewtonMatrix::new(&dae.mass_pattern());
         let mut accelerations = Accelerations::default();
         accelerations.find(dae, state, &mut consistent)?;
         let (n, m) = (dae.velocities(), dae.constraints());
@@ -111,6 +120,7 @@ impl Run {
             accelerations,
             now: state.clone(),
             next: state.clone(),
+            reported: state.clone(),
             algorithmic: state.a.clone(),
             algorithmic_next: state.a.clone(),
             last_step: 0.0,
@@ -197,21 +207,25 @@ impl Run {
         options: &IntegratorOptions,
         observer: &mut dyn Observer,
     ) -> Result<Control, Failure> {
-        let mut state = self.now.clone();
+        self.reported.clone_from(&self.now);
         if options.interpolate && t < self.now.t {
-            interpolate(dae, from, &self.now, t, &mut state);
+            interpolate(dae, from, &self.now, t, &mut self.reported);
         }
-        if dae.constraints() > 0 {
-            if self.projected && state.t == self.now.t {
-                // The projection of the velocities has just factored this matrix.
-                self.accelerations.solve(dae, &mut state, &mut self.consistent)?;
-            } else {
-                self.projected = false;
-                self.accelerations.find(dae, &mut state, &mut self.consistent)?;
-                self.statistics.factorisations += 1;
-            }
+        self.make_consistent(dae)?;
+        Ok(observer.output(dae, &self.reported))
+    }
+
+    /// Accelerations and multipliers of `reported` from the equations themselves: those of the
+    /// method are as accurate as the corrector left them, and multipliers lag by part of a step.
+    fn make_consistent(&mut self, dae: &mut dyn Dae) -> Result<(), Failure> {
+        if self.projected && self.reported.t == self.now.t {
+            // The projection of the velocities has just factored this matrix.
+            return self.accelerations.solve(dae, &mut self.reported, &mut self.consistent);
         }
-        Ok(observer.output(dae, &state))
+        self.projected = false;
+        // Without constraints it is no more than the inverse of each part's inertia.
+        self.statistics.factorisations += usize::from(dae.constraints() > 0);
+        self.accelerations.find(dae, &mut self.reported, &mut self.consistent)
     }
 
     /// Takes one step towards `target`, as long as error and corrector allow.

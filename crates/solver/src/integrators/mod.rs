@@ -85,7 +85,7 @@ impl Method {
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntegratorOptions {
     pub method: Method,
-    /// Error allowed in each step, in model length units and radians.
+    /// Error allowed in each step, relative to [`crate::Dae::scales`].
     pub error: f64,
     /// First step; by default a twentieth of the largest.
     pub hinit: Option<f64>,

@@ -140,6 +140,28 @@ mod tests {
         }
     }
 
+    /// Truth: `M a = Q` at outputs and in the state that a run leaves, to rounding, whatever the
+    /// corrector left; there are no constraints here that would call for a projection.
+    #[test]
+    fn outputs_and_the_last_state_balance() {
+        for interpolate in [false, true] {
+            let mut chain = SpringChain::uniform(5, 0.5, 4e4, 2.0);
+            let mut state = SystemState::at_rest(&chain, 0.0, vec![0.0, 0.1, 0.0, -0.2, 0.3]);
+            let mut recorder = Recorder::default();
+            let options = IntegratorOptions { error: 1e-4, corrector: 0.5, interpolate, ..Default::default() };
+            let outputs = output_times(0.0, 0.5, 17);
+            integrate(&mut chain, &mut state, 0.6, &outputs, &options, &mut recorder).unwrap();
+            assert_eq!(state.t, 0.6);
+            recorder.states.push(state);
+            let mut r = vec![0.0; 5];
+            for s in &recorder.states {
+                chain.residual(s.t, &s.q, &s.v, &s.a, &[], &mut r).unwrap();
+                // Spring forces are about 1e4 N.
+                assert!(r.iter().all(|r| r.abs() < 1e-10), "{} s: {r:?}", s.t);
+            }
+        }
+    }
+
     /// Truth: the closed form. An error of `e` in each step of a method of second order sums to a
     /// multiple of `e^(2/3)`; the amplitude is 1, the phase 15 rad, and 10 is generous for both.
     #[test]

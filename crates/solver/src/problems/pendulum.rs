@@ -110,7 +110,9 @@ mod tests {
         let mut state = released(90f64.to_radians());
         let mut recorder = Recorder::default();
         let options = IntegratorOptions { error: 1e-7, ..Default::default() };
-        integrate(&mut pendulum(), &mut state, 2.0, &output_times(0.0, 2.0, 40), &options, &mut recorder).unwrap();
+        integrate(&mut pendulum(), &mut state, 2.1, &output_times(0.0, 2.0, 40), &options, &mut recorder).unwrap();
+        // The state that is left counts as an output.
+        recorder.states.push(state);
         for s in &recorder.states {
             let (q, v, a) = (&s.q, &s.v, &s.a);
             assert!((q[0].hypot(q[1]) - 1.0).abs() < 1e-8);
