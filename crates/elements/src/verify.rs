@@ -119,13 +119,13 @@ impl Counts {
 /// combinations of rows before them, by elimination. Lengths weigh in the model's unit.
 fn redundant(system: &mut System) -> Vec<(String, &'static str, String)> {
     let (q, _) = system.initial_state();
-    let scales = system.scales().increments;
+    let units = system.units().increments;
     let Ok(rows) = system.constraint_rows(0.0, &q) else { return Vec::new() };
     let mut reduced = Reduced::default();
     let mut found = Vec::new();
     for row in rows {
         let mut rest: BTreeMap<usize, f64> =
-            row.entries.iter().map(|&(unknown, value)| (unknown, value * scales[unknown])).collect();
+            row.entries.iter().map(|&(unknown, value)| (unknown, value * units[unknown])).collect();
         let size = rest.values().fold(0.0_f64, |m, x| m.max(x.abs()));
         reduced.take_from(&mut rest, size);
         let pivot =
