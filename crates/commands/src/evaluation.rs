@@ -42,6 +42,11 @@ pub fn recompute(database: &mut Database, changed: &[model::CellKey]) -> Result<
     expressions::recompute(database, changed)
 }
 
+/// What the value of an expression is multiplied with for a field in radians per unit of time.
+pub fn radians_per_time(expression: &Expression, field: &schema::Field, database: &Database) -> f64 {
+    expressions::radians_per_time(&expression.root, field.dimension, database)
+}
+
 /// The text of an expression as exports write it, without the outer parentheses.
 pub fn print(expression: &Expression, database: &Database) -> String {
     expressions::print(expression, database)

@@ -1,5 +1,6 @@
 //! Arguments become values of cells: numbers with their units, words, texts, objects, functions.
 
+use expressions::is_rate_of_angle;
 use model::{Array, CellKey, Database, Expression, FunctionText, ObjectId, Source, Value};
 use schema::{Dimension, Field, Kind, Registry, UnitName, parse_unit_expression};
 use syntax::command::{Argument, Item, ItemKind, parse_expression};
@@ -183,6 +184,14 @@ impl Reader<'_> {
                 if let Some(found) = outcome.dimension {
                     self.check_dimension(field, found, &outcome, item.span)?;
                 }
+                let radians = match (&outcome.kept, outcome.dimension) {
+                    (Some(kept), _) => evaluation::radians_per_time(kept, field, self.database),
+                    (None, Some(found)) if field.dimension == Dimension::PER_TIME && is_rate_of_angle(found) => {
+                        self.database.units().angle.si
+                    }
+                    _ => 1.0,
+                };
+                let numbers = numbers.into_iter().map(|x| x * radians).collect();
                 Ok((numbers, outcome.kept, outcome.reads))
             }
             ItemKind::Text(text) => Ok((self.number_text(field, text, item.span)?, None, Vec::new())),
@@ -229,6 +238,10 @@ impl Reader<'_> {
         let units = self.database.units();
         // An angle unit on a rate or a stiffness concerns its angle alone.
         let angle_part = dimension == Dimension::ANGLE && field.dimension.angle == 1;
+        if field.dimension == Dimension::PER_TIME && is_rate_of_angle(dimension) {
+            // Radians per time, whatever the angle unit is; `72d` is an angle per unit of time.
+            return Ok(value * (si / units.factor(Dimension { angle: 0, ..dimension })));
+        }
         if dimension != field.dimension && field.dimension != Dimension::NONE && !angle_part {
             return Err(vec![wrong_dimension(self.database, field, dimension, span)]);
         }
@@ -244,7 +257,8 @@ impl Reader<'_> {
     ) -> Result<(), Errors> {
         let wanted = field.dimension;
         let same = Dimension { angle: wanted.angle, ..found } == wanted;
-        if same || wanted == Dimension::NONE || found == Dimension::NONE || field.kind == Kind::Integer {
+        let rate = wanted == Dimension::PER_TIME && is_rate_of_angle(found);
+        if same || rate || wanted == Dimension::NONE || found == Dimension::NONE || field.kind == Kind::Integer {
             return Ok(());
         }
         let error = wrong_dimension(self.database, field, found, span);

@@ -219,3 +219,42 @@ fn what_is_not_executed_is_named() {
     let report = i.execute("view erase");
     assert_eq!((report.skipped, report.executed, report.diagnostics[0].code), (1, 0, "command/not-supported"));
 }
+
+/// Truth: 72 degrees are 0.4 pi radians. Evidence for radians in plain numbers: an export with
+/// `angle = deg` in which vy is wx times the radius with wx = 1.2566370614.
+#[test]
+fn angular_velocities_of_parts_are_in_radians_per_time() {
+    let mut i = fixture();
+    let spin = 0.4 * std::f64::consts::PI;
+    let set = "part create rigid_body initial_velocity part_name = .m.p1 wx =";
+    good(&mut i, "variable create variable_name = .m.rate units = \"angular_velocity\" real_value = 72");
+    good(&mut i, "variable create variable_name = .m.plain real_value = 1.25");
+    for (text, wanted) in [
+        ("1.25", 1.25),
+        ("72d", spin),
+        ("72.0d", spin),
+        ("(72.0(deg/sec))", spin),
+        ("(72d)", spin),
+        ("(1.25(rad/sec))", 1.25),
+        ("(12.0(rev/minute))", spin),
+        ("(.m.plain)", 1.25),
+        ("(.m.rate)", spin),
+        ("(eval(72.0(deg/sec)))", spin),
+    ] {
+        let report = good(&mut i, &format!("{set} {text}"));
+        assert!(report.diagnostics.is_empty(), "{text}: {:?}", report.diagnostics);
+        let found = number(&i, ".m.p1", "wx");
+        assert!((found - wanted).abs() < 1e-14, "{text}: {found} is not {wanted}");
+        assert_eq!(i.database.si(find(&i, ".m.p1"), "wx"), Some(found), "{text}");
+    }
+    refused(&mut i, &format!("{set} (3mm)"), "unit/wrong-dimension", "");
+    refused(&mut i, &format!("{set} 3kg"), "unit/wrong-dimension", "");
+
+    // What is kept as an expression keeps its meaning when other units come into force.
+    good(&mut i, &format!("{set} (72.0(deg/sec))"));
+    good(&mut i, "defaults units angle = radians time = millisecond");
+    assert!((number(&i, ".m.p1", "wx") - spin / 1000.0).abs() < 1e-16);
+    good(&mut i, &format!("{set} (.m.rate)"));
+    good(&mut i, "variable modify variable_name = .m.rate real_value = 0.002");
+    assert!((i.database.si(find(&i, ".m.p1"), "wx").unwrap() - 2.0).abs() < 1e-14);
+}

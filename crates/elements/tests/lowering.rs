@@ -53,6 +53,27 @@ fn a_beam_and_a_part_are_lowered_in_si() {
     assert!((r[1] - 2.0 * 9.80665).abs() < 1e-12 && r[0].abs() < 1e-6);
 }
 
+/// Truth: the part is turned 90 degrees about z, so global x is -y of the part. A plain number is in
+/// radians per unit of time although angles are in degrees; with a marker, along its axes.
+#[test]
+fn start_angular_velocities_are_global_and_in_radians_per_time() {
+    let mut b = cantilever();
+    let units = UnitSystem::named("mm", "kg", "millisecond", "newton", "degrees").unwrap();
+    b.database.set_units(units);
+    let tip = b.database.find(".m.tip", "part").unwrap();
+    b.numbers(tip, "orientation", &[90.0, 0.0, 0.0]);
+    b.set(tip, "wx", 0.002);
+    let spin = |b: &Build| {
+        let lowered = lower(&b.database, b.model, Options::default()).unwrap_or_else(|d| panic!("{d:?}"));
+        lowered.system.bodies()[0].initial.w_gb_b
+    };
+    // Tolerance: rounding of the turn by 90 degrees.
+    assert!((spin(&b) - glam::DVec3::new(0.0, -2.0, 0.0)).length() < 1e-14, "{}", spin(&b));
+    let i = b.database.find(".m.tip.i", "marker").unwrap();
+    b.refer(tip, "wm", i);
+    assert!((spin(&b) - glam::DVec3::new(2.0, 0.0, 0.0)).length() < 1e-14, "{}", spin(&b));
+}
+
 /// Truth: damping terms are in newton, mm, s and radians: C11 per velocity, C41 per velocity as a
 /// torque, C44 as torque per angular velocity.
 #[test]
@@ -96,14 +117,14 @@ fn inertia_is_moved_to_the_centre_of_mass() {
 }
 
 /// Truth: a velocity in global axes stays; along `vm` it turns with that marker; angular velocity
-/// is in degrees per second of the model.
+/// is in radians per second.
 #[test]
 fn start_velocities_are_read_along_their_markers() {
     let mut b = Build::new(UnitSystem::mmks());
     let part = b.part("p", [0.0; 3], 1.0, 1.0);
     b.numbers(part, "orientation", &[90.0, 0.0, 0.0]);
     b.set(part, "vx", 1000.0);
-    b.set(part, "wz", 180.0);
+    b.set(part, "wz", std::f64::consts::PI);
     let start = |b: &Build| lower(&b.database, b.model, Options::default()).ok().unwrap().system.bodies()[0].initial;
     let plain = start(&b);
     assert!((plain.v_gb_g - glam::DVec3::X).length() < 1e-15);

@@ -92,8 +92,13 @@ fn computed(scope: &Scope, key: CellKey, source: &Source) -> Outcome<Evaluated> 
             return Ok(Evaluated { value, dimension: None, reads: Vec::new() });
         }
         Source::Expression(expression) => {
-            let value = evaluator.node(&expression.root)?;
-            (shaped(value, field, scope)?, crate::dimension::certain_dimension(&expression.root))
+            let value = shaped(evaluator.node(&expression.root)?, field, scope)?;
+            let radians = crate::dimension::radians_per_time(&expression.root, field.dimension, database);
+            let value = match value {
+                Value::Number(x) => Value::Number(x * radians),
+                other => other,
+            };
+            (value, crate::dimension::certain_dimension(&expression.root))
         }
         Source::Elements(elements) => {
             let mut present = present_elements(database, key, elements.len());

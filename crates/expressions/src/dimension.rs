@@ -1,8 +1,8 @@
 //! Which physical dimension an expression is certain to have: every leaf with a unit says so, and
 //! all others are plain numbers that only scale it.
 
-use model::{BinaryOperator, Node, UnaryOperator};
-use schema::{Dimension, parse_unit_expression};
+use model::{BinaryOperator, Database, Node, UnaryOperator};
+use schema::{Dimension, Quantity, parse_unit_expression};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Certainty {
@@ -18,6 +18,27 @@ pub(crate) fn certain_dimension(node: &Node) -> Option<Dimension> {
         Certainty::Certain(dimension) if dimension != Dimension::NONE => Some(dimension),
         _ => None,
     }
+}
+
+/// What the value of an expression is multiplied with where a field wants radians per unit of time
+/// whatever the angle unit is: the size of that unit if the expression certainly is an angle, or an
+/// angle per time, in it; else 1.
+pub fn radians_per_time(node: &Node, wanted: Dimension, database: &Database) -> f64 {
+    if wanted != Dimension::PER_TIME {
+        return 1.0;
+    }
+    let found = match node {
+        Node::Object(id) if database.get(*id).is_some() => {
+            database.text(*id, "units").and_then(Quantity::named).map(|q| q.dimension)
+        }
+        _ => certain_dimension(node),
+    };
+    if found.is_some_and(is_rate_of_angle) { database.units().angle.si } else { 1.0 }
+}
+
+/// An angle per time, or an angle, which stands for one: `72d`.
+pub fn is_rate_of_angle(dimension: Dimension) -> bool {
+    matches!(dimension, Dimension::ANGLE | Dimension::ANGULAR_VELOCITY)
 }
 
 fn of(node: &Node) -> Certainty {

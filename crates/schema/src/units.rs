@@ -2,10 +2,11 @@
 //!
 //! Adams keeps force as a base dimension beside mass, length and time: `newton, kg, mm, second` is
 //! a legal set, in which force * UCF = mass * acceleration (UCF = 1000 there). Dimensions therefore
-//! have five exponents. Factors are exact by definition where a definition exists (inch, pound,
+//! have an exponent for force beside the usual ones. Factors are exact by definition where a definition exists (inch, pound,
 //! kilogram-force).
 
-/// Exponents of length, mass, time, force and angle.
+/// Exponents of length, mass, time, force, angle and frequency. The unit of frequency is chosen
+/// apart from that of time (Hz or radians per second), so frequency is no inverse time here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Dimension {
     pub length: i8,
@@ -13,6 +14,7 @@ pub struct Dimension {
     pub time: i8,
     pub force: i8,
     pub angle: i8,
+    pub frequency: i8,
 }
 
 impl Dimension {
@@ -25,7 +27,9 @@ impl Dimension {
     pub const INERTIA: Dimension = Self::of(2, 1, 0, 0, 0);
     pub const DENSITY: Dimension = Self::of(-3, 1, 0, 0, 0);
     pub const TIME: Dimension = Self::of(0, 0, 1, 0, 0);
-    pub const FREQUENCY: Dimension = Self::of(0, 0, -1, 0, 0);
+    pub const FREQUENCY: Dimension = Dimension { frequency: 1, ..Self::NONE };
+    /// Per unit of time; as an angular velocity: radians per unit of time, whatever the angle unit.
+    pub const PER_TIME: Dimension = Self::of(0, 0, -1, 0, 0);
     pub const FORCE: Dimension = Self::of(0, 0, 0, 1, 0);
     pub const TORQUE: Dimension = Self::of(1, 0, 0, 1, 0);
     pub const PRESSURE: Dimension = Self::of(-2, 0, 0, 1, 0);
@@ -41,7 +45,7 @@ impl Dimension {
     pub const TORSION_DAMPING: Dimension = Self::of(1, 0, 1, 1, -1);
 
     pub const fn of(length: i8, mass: i8, time: i8, force: i8, angle: i8) -> Dimension {
-        Dimension { length, mass, time, force, angle }
+        Dimension { length, mass, time, force, angle, frequency: 0 }
     }
 
     #[must_use]
@@ -52,6 +56,7 @@ impl Dimension {
             time: self.time.saturating_add(other.time),
             force: self.force.saturating_add(other.force),
             angle: self.angle.saturating_add(other.angle),
+            frequency: self.frequency.saturating_add(other.frequency),
         }
     }
 
@@ -63,6 +68,7 @@ impl Dimension {
             time: self.time.saturating_mul(n),
             force: self.force.saturating_mul(n),
             angle: self.angle.saturating_mul(n),
+            frequency: self.frequency.saturating_mul(n),
         }
     }
 
@@ -298,14 +304,12 @@ impl UnitSystem {
     /// Size of one unit of a dimension in SI.
     pub fn factor(&self, dimension: Dimension) -> f64 {
         let power = |unit: &UnitName, n: i8| if n == 0 { 1.0 } else { unit.si.powi(i32::from(n)) };
-        if dimension == Dimension::FREQUENCY {
-            return self.frequency.si;
-        }
         power(self.length, dimension.length)
             * power(self.mass, dimension.mass)
             * power(self.time, dimension.time)
             * power(self.force, dimension.force)
             * power(self.angle, dimension.angle)
+            * power(self.frequency, dimension.frequency)
     }
 
     /// force * UCF = mass * acceleration.
@@ -321,6 +325,7 @@ impl UnitSystem {
             (self.mass.name, dimension.mass),
             (self.length.name, dimension.length),
             (self.angle.name, dimension.angle),
+            (self.frequency.name, dimension.frequency),
             (self.time.name, dimension.time),
         ];
         let word = |&(name, n): &(&str, i8)| {
@@ -367,6 +372,21 @@ mod tests {
         assert_eq!(mmks.label(Dimension::PRESSURE), "newton/mm**2");
         assert_eq!(mmks.label(Dimension::TORQUE), "newton-mm");
         assert_eq!(mmks.label(Dimension::NONE), "");
+    }
+
+    /// Truth: by definition. The unit of frequency is not the inverse of the unit of time.
+    #[test]
+    fn frequencies_and_inverse_times_have_their_own_units() {
+        let units = UnitSystem::named("mm", "kg", "millisecond", "newton", "degrees").unwrap();
+        assert_eq!(units.factor(Dimension::PER_TIME), 1000.0);
+        assert_eq!(units.factor(Dimension::FREQUENCY), 1.0);
+        let turning = UnitSystem { frequency: UnitName::find("radians_sec").unwrap(), ..units };
+        assert_eq!(turning.factor(Dimension::FREQUENCY), 1.0 / std::f64::consts::TAU);
+        assert_eq!(turning.factor(Dimension::PER_TIME), 1000.0);
+        assert_eq!(parse_unit_expression("1/sec"), Some((Dimension::PER_TIME, 1.0)));
+        assert_eq!(parse_unit_expression("hz").map(|u| u.0), Some(Dimension::FREQUENCY));
+        assert_eq!(units.label(Dimension::FREQUENCY), "hz");
+        assert_eq!(units.label(Dimension::PER_TIME), "1/millisecond");
     }
 
     #[test]

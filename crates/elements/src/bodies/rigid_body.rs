@@ -59,15 +59,21 @@ pub const INITIAL_VELOCITY: Group = Group {
         Field::real("vx", Dimension::VELOCITY).keyword("VX").doc("start velocity along x"),
         Field::real("vy", Dimension::VELOCITY).keyword("VY").doc("start velocity along y"),
         Field::real("vz", Dimension::VELOCITY).keyword("VZ").doc("start velocity along z"),
-        Field::real("wx", Dimension::ANGULAR_VELOCITY).keyword("WX").doc("start angular velocity about x"),
-        Field::real("wy", Dimension::ANGULAR_VELOCITY).keyword("WY").doc("start angular velocity about y"),
-        Field::real("wz", Dimension::ANGULAR_VELOCITY).keyword("WZ").doc("start angular velocity about z"),
+        Field::real("wx", Dimension::PER_TIME)
+            .keyword("WX")
+            .doc("start angular velocity about x; a plain number is in radians per unit of time"),
+        Field::real("wy", Dimension::PER_TIME)
+            .keyword("WY")
+            .doc("start angular velocity about y; a plain number is in radians per unit of time"),
+        Field::real("wz", Dimension::PER_TIME)
+            .keyword("WZ")
+            .doc("start angular velocity about z; a plain number is in radians per unit of time"),
         Field::object("vm", "marker")
             .keyword("VM")
             .doc("marker along whose axes vx, vy, vz are measured; global axes if not given"),
         Field::object("wm", "marker")
             .keyword("WM")
-            .doc("marker along whose axes wx, wy, wz are measured; the axes of the centre of mass marker if not given"),
+            .doc("marker along whose axes wx, wy, wz are measured; global axes if not given"),
         Field::true_false("no_vx").doc("forget the start velocity along x"),
         Field::true_false("no_vy").doc("forget the start velocity along y"),
         Field::true_false("no_vz").doc("forget the start velocity along z"),

@@ -12,11 +12,11 @@ pub fn velocity(lowering: &Lowering<'_>, body: ObjectId) -> DVec3 {
     axes_of(lowering, body, "vm").unwrap_or(DMat3::IDENTITY) * components
 }
 
-/// Start angular velocity in ground axes, rad/s: components are along the axes of the marker `wm`,
-/// or of the centre of mass marker.
-pub fn angular_velocity(lowering: &Lowering<'_>, body: ObjectId, centre_axes: DMat3) -> DVec3 {
+/// Start angular velocity in ground axes, rad/s: components are global, or along the axes of the
+/// marker `wm`.
+pub fn angular_velocity(lowering: &Lowering<'_>, body: ObjectId) -> DVec3 {
     let components = components(lowering.database, body, ["wx", "wy", "wz"]);
-    axes_of(lowering, body, "wm").unwrap_or(centre_axes) * components
+    axes_of(lowering, body, "wm").unwrap_or(DMat3::IDENTITY) * components
 }
 
 fn axes_of(lowering: &Lowering<'_>, body: ObjectId, cell: &str) -> Option<DMat3> {

@@ -23,9 +23,8 @@ pub fn lower(lowering: &mut Lowering<'_>, part: ObjectId) {
     let Some(mass) = mass_of(lowering, part) else { return };
     let pose = lowering.global_pose(part);
     let exact = start::exact_coordinates(lowering.database, part);
-    let centre_axes = mass.centre_axes;
     let v_gb_g = start::velocity(lowering, part);
-    let w_gb_g = start::angular_velocity(lowering, part, pose.rotation * centre_axes);
+    let w_gb_g = start::angular_velocity(lowering, part);
     let body = Body {
         name: lowering.name(part),
         mass: mass.mass,
@@ -50,8 +49,6 @@ pub struct MassProperties {
     pub mass: f64,
     /// Centre of mass from the part's origin.
     pub centre: DVec3,
-    /// Axes of the centre of mass marker in the part.
-    pub centre_axes: DMat3,
     /// Inertia about the centre of mass.
     pub inertia_c_b: DMat3,
 }
@@ -116,12 +113,7 @@ pub fn mass_properties(database: &Database, part: ObjectId) -> Result<MassProper
     };
     let centre_marker = database.reference(part, "center_of_mass_marker").map(in_part);
     if let Some(shapes) = geometry::mass_properties(database, part)? {
-        return Ok(MassProperties {
-            mass: shapes.mass,
-            centre: shapes.centre,
-            centre_axes: centre_marker.map_or(DMat3::IDENTITY, |pose| pose.rotation),
-            inertia_c_b: shapes.inertia,
-        });
+        return Ok(MassProperties { mass: shapes.mass, centre: shapes.centre, inertia_c_b: shapes.inertia });
     }
     let centre = centre_marker.unwrap_or(Pose::GLOBAL);
     let reference = database.reference(part, "inertia_marker").map_or(centre, in_part);
@@ -136,12 +128,7 @@ pub fn mass_properties(database: &Database, part: ObjectId) -> Result<MassProper
     );
     let about_reference = reference.rotation * tensor * reference.rotation.transpose();
     let arm = reference.origin - centre.origin;
-    Ok(MassProperties {
-        mass,
-        centre: centre.origin,
-        centre_axes: centre.rotation,
-        inertia_c_b: about_reference - parallel_axis(mass, arm),
-    })
+    Ok(MassProperties { mass, centre: centre.origin, inertia_c_b: about_reference - parallel_axis(mass, arm) })
 }
 
 /// What a mass adds to the inertia about a point at distance `arm` from its centre.
