@@ -171,6 +171,15 @@ impl<'p> Call<'p> {
         })
     }
 
+    /// The arguments that name objects.
+    pub fn objects(&self) -> impl Iterator<Item = (&Parameter, &'p Argument)> {
+        let given = self.given.iter().filter(|g| matches!(self.parameters[g.parameter].field.kind, Kind::Object(..)));
+        given.map(|g| {
+            g.used.set(true);
+            (&self.parameters[g.parameter], g.argument)
+        })
+    }
+
     /// A warning for each argument that nothing has asked for.
     pub fn unused(&self) -> Vec<Diagnostic> {
         let unused = self.given.iter().filter(|g| !g.used.get());

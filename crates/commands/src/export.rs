@@ -12,7 +12,7 @@ use crate::{
 
 /// The commands that build a model.
 pub fn write_model(database: &Database, model: ObjectId) -> String {
-    let mut writer = Writer { database, out: String::new(), frame: None };
+    let mut writer = Writer { database, out: String::new(), frame: None, order: indexmap::IndexSet::new() };
     writer.header(model);
     writer.materials(model);
     writer.bodies(model);
@@ -27,6 +27,8 @@ struct Writer<'a> {
     out: String,
     /// The default frame as the commands written so far have set it.
     frame: Option<ObjectId>,
+    /// Objects in the order of their commands, which is the order in which they are made again.
+    order: indexmap::IndexSet<ObjectId>,
 }
 
 /// Which cells of an object a command shows.
@@ -135,6 +137,7 @@ impl Writer<'_> {
         let ground = self.database.child(Some(model), "ground", "ground");
         for id in bodies {
             let object = self.database.object(id);
+            self.order.insert(id);
             self.banner(&object.name.clone());
             if Some(id) == ground {
                 self.line("! ****** Ground Part ******");
@@ -212,11 +215,13 @@ impl Writer<'_> {
 
     /// Functions and expressions, now that everything exists.
     fn late(&mut self, model: ObjectId) {
+        let mut order = std::mem::take(&mut self.order);
+        order.extend(self.database.subtree(model));
         for (title, phase) in
             [("Function definitions", Phase::Functions), ("Expression definitions", Phase::Expressions)]
         {
             let mut begun = false;
-            for id in self.database.subtree(model) {
+            for &id in &order {
                 let object = self.database.object(id);
                 for group in object.class.groups {
                     let late = self.arguments(id, group, phase);
@@ -264,6 +269,7 @@ impl Writer<'_> {
 
     /// The command that creates an object, and those that set what it has besides.
     fn object(&mut self, id: ObjectId) {
+        self.order.insert(id);
         for group in self.database.object(id).class.groups {
             if group.creates {
                 self.create(id, group);

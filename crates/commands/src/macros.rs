@@ -382,11 +382,6 @@ fn formal(name: &str, qualifiers: &str) -> Formal {
     for qualifier in qualifiers.split(':') {
         let Some((key, value)) = qualifier.split_once('=') else { continue };
         let value = value.trim();
-        let mut bound = |bound: Bound| {
-            if let Ok(limit) = value.parse() {
-                formal.bounds.push((bound, limit));
-            }
-        };
         match key.trim().to_ascii_lowercase().as_str() {
             "t" => formal.kind = value.to_ascii_lowercase(),
             "c" => {
@@ -405,14 +400,31 @@ fn formal(name: &str, qualifiers: &str) -> Formal {
                 formal.default = Some(value.trim_matches('"').to_string());
                 formal.updated = true;
             }
-            "gt" => bound(Bound::Above),
-            "ge" => bound(Bound::AtLeast),
-            "lt" => bound(Bound::Below),
-            "le" => bound(Bound::AtMost),
-            _ => {}
+            "r" => {
+                // `r=gt(0)` is the long form of `gt=0`.
+                let (word, limit) = value.split_once('(').unwrap_or((value, ""));
+                if let (Some(bound), Ok(limit)) = (bound_named(word), limit.trim_end_matches(')').trim().parse()) {
+                    formal.bounds.push((bound, limit));
+                }
+            }
+            word => {
+                if let (Some(bound), Ok(limit)) = (bound_named(word), value.parse()) {
+                    formal.bounds.push((bound, limit));
+                }
+            }
         }
     }
     formal
+}
+
+fn bound_named(word: &str) -> Option<Bound> {
+    Some(match word.trim().to_ascii_lowercase().as_str() {
+        "gt" => Bound::Above,
+        "ge" => Bound::AtLeast,
+        "lt" => Bound::Below,
+        "le" => Bound::AtMost,
+        _ => return None,
+    })
 }
 
 /// The body with its placeholders replaced; header and declarations are left out.

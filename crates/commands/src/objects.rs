@@ -227,8 +227,7 @@ impl Interpreter {
         let class = self.database.object(id).class;
         let mut changed = Vec::new();
         self.place(id, call, &mut changed)?;
-        for given in &call.given {
-            let parameter = &call.parameters[given.parameter];
+        for (parameter, argument) in call.all() {
             if parameter.role != Role::Field || place::PLACING.contains(&parameter.field.name) && is_placed(class) {
                 continue;
             }
@@ -237,9 +236,9 @@ impl Interpreter {
                 continue;
             }
             let field = *class.field(cell);
-            let draft = self.read_value(call, &field, given.argument, Some(id))?;
+            let draft = self.read_value(call, &field, argument, Some(id))?;
             if field.name == "adams_id" {
-                self.check_id(id, &draft.value, given.argument.value_span)?;
+                self.check_id(id, &draft.value, argument.value_span)?;
             }
             if field.default == Default::Current
                 && let Some(object) = draft.value.as_object()
@@ -316,22 +315,25 @@ impl Interpreter {
             self.store(key, Draft::literal(value));
         }
         if is_placed(class) {
+            let frame = match (call.argument("relative_to"), call.field("relative_to").copied()) {
+                (Some(argument), Some(field)) => self.read_value(call, &field, argument, None)?.value.as_object(),
+                _ => self.database.settings().default_frame.filter(|f| self.database.get(*f).is_some()),
+            };
             for name in ["location", "orientation"] {
                 if let Some(cell) = class.cell_index(name)
                     && self.database.object(id).cells[cell].is_none()
                 {
                     // Not given: at the frame values would have been read in.
-                    self.place_at_default_frame(id, name, cell);
+                    self.place_at_frame(id, name, cell, frame);
                 }
             }
         }
         Ok(())
     }
 
-    fn place_at_default_frame(&mut self, id: ObjectId, name: &str, cell: usize) {
+    fn place_at_frame(&mut self, id: ObjectId, name: &str, cell: usize, frame: Option<ObjectId>) {
         let database = &self.database;
         let parent = database.object(id).parent;
-        let frame = database.settings().default_frame.filter(|f| database.get(*f).is_some());
         let pose = if frame == parent {
             model::Pose::GLOBAL
         } else {

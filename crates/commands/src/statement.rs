@@ -333,19 +333,20 @@ impl Interpreter {
     }
 
     fn assigned_cell(&self, steps: &[String]) -> Option<(ObjectId, usize)> {
-        let (field, path) = steps.split_last()?;
-        if let Some(id) = self.database.descend(None, path, "any") {
+        if let Some(id) = self.database.descend(None, steps, "variable") {
             let class = self.database.object(id).class;
-            let names: Vec<&str> = class.fields().map(|f| f.name).collect();
-            if let crate::words::Match::One(i) = crate::words::match_word(names, field) {
-                return Some((id, i));
-            }
+            let held = ["real_value", "integer_value", "string_value", "object_value"];
+            let name = held.iter().find(|n| self.database.cell(id, n).is_some())?;
+            return Some((id, class.cell_index(name)?));
         }
-        let id = self.database.descend(None, steps, "variable")?;
+        let (field, path) = steps.split_last()?;
+        let id = self.database.descend(None, path, "any")?;
         let class = self.database.object(id).class;
-        let held = ["real_value", "integer_value", "string_value", "object_value"];
-        let name = held.iter().find(|n| self.database.cell(id, n).is_some())?;
-        Some((id, class.cell_index(name)?))
+        let names: Vec<&str> = class.fields().map(|f| f.name).collect();
+        match crate::words::match_word(names, field) {
+            crate::words::Match::One(i) => Some((id, i)),
+            _ => None,
+        }
     }
 }
 

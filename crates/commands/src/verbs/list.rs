@@ -54,11 +54,8 @@ pub const CONSTRAINT: VerbEntry = verb(
 
 fn list(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
     let mut ids = Vec::new();
-    for (parameter, argument) in call.all() {
-        let field = parameter.field;
-        if matches!(field.kind, Kind::Object(..)) {
-            ids.extend(interpreter.read_value(call, &field, argument, None)?.value.objects());
-        }
+    for (parameter, argument) in call.objects() {
+        ids.extend(interpreter.read_value(call, &parameter.field, argument, None)?.value.objects());
     }
     if ids.is_empty() {
         let Some(first) = call.parameters.first() else { return Ok(Flow::Next) };
