@@ -57,7 +57,7 @@ impl Dependencies {
 impl Database {
     /// Records which cells a computed cell read. Empty for a plain value.
     pub fn set_reads(&mut self, cell: CellKey, reads: Vec<CellKey>) {
-        if reads.is_empty() && self.dependencies.reads.get(&cell).is_none() {
+        if reads.is_empty() && !self.dependencies.reads.contains_key(&cell) {
             return;
         }
         let old = self.dependencies.replace(cell, reads);

@@ -83,7 +83,7 @@ impl Database {
                 name[prefix.len()..].parse::<u64>().ok()
             })
             .max()
-            .unwrap_or(if class.word == "Part" { 1 } else { 0 });
+            .unwrap_or(u64::from(class.word == "Part"));
         format!("{prefix}{}", highest + 1)
     }
 }

@@ -29,7 +29,7 @@ pub fn compare(a: &Table, b: &Table) -> Vec<Difference> {
                 let mut worst = (0.0_f64, times_a.first().copied().unwrap_or(0.0));
                 for (t, x) in times_a.iter().zip(&series.values) {
                     if let Some(y) = interpolate(&times_b, &other.values, *t)
-                        && !((x - y).abs() <= worst.0)
+                        && ((x - y).abs() > worst.0 || (x - y).is_nan())
                     {
                         worst = ((x - y).abs(), *t);
                     }
