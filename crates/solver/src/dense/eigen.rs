@@ -71,12 +71,16 @@ fn substitute(schur: &Schur, value: Complex, k: usize, pair: bool, x: &mut [Comp
             let j = i - 1;
             let high = [h[(j, j)] - value[0], -value[1]];
             let (above, below) = (h[(j, i)], h[(i, j)]);
-            let product = times(high, low);
-            let determinant = apart([product[0] - above * below, product[1]]);
-            let upper = times(low, right[j]);
-            let lower = times(high, right[i]);
-            x[j] = over([upper[0] - above * right[i][0], upper[1] - above * right[i][1]], determinant);
-            x[i] = over([lower[0] - below * right[j][0], lower[1] - below * right[j][1]], determinant);
+            // Elimination with the larger pivot: Cramer's rule loses everything where the block's
+            // eigenvalues are close to the one asked about.
+            let ([a, b, r], [c, d, s]) = if high[0].hypot(high[1]) >= below.abs() {
+                ([high, [above, 0.0], right[j]], [[below, 0.0], low, right[i]])
+            } else {
+                ([[below, 0.0], low, right[i]], [high, [above, 0.0], right[j]])
+            };
+            let factor = over(c, a);
+            x[i] = over(minus(s, times(factor, r)), apart(minus(d, times(factor, b))));
+            x[j] = over(minus(r, times(b, x[i])), a);
             contribute(&mut right[..j], i, x[i]);
             contribute(&mut right[..j], j, x[j]);
             i = j;
@@ -97,11 +101,15 @@ fn substitute(schur: &Schur, value: Complex, k: usize, pair: bool, x: &mut [Comp
 fn unreduced(schur: &Schur, x: &[Complex]) -> Vec<Complex> {
     let part = |at: usize| schur.vectors.times_vector(&x.iter().map(|entry| entry[at]).collect::<Vec<_>>());
     let (real, imaginary) = (part(0), part(1));
-    real.iter().zip(&imaginary).zip(&schur.scaling).map(|((re, im), scale)| [re * scale, im * scale]).collect()
+    real.into_iter().zip(imaginary).map(|(re, im)| [re, im]).collect()
 }
 
 fn times(a: Complex, b: Complex) -> Complex {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+fn minus(a: Complex, b: Complex) -> Complex {
+    [a[0] - b[0], a[1] - b[1]]
 }
 
 /// Smith's division: no overflow on the way.

@@ -1,57 +1,24 @@
-//! From a full matrix to the real Schur form: balancing, Hessenberg form, Francis' double shifts
-//! (Golub and Van Loan, Matrix Computations, chapter 7).
+//! From a full matrix to the real Schur form: Hessenberg form, then Francis' double shifts (Golub
+//! and Van Loan, Matrix Computations, chapter 7).
+//!
+//! There is no balancing: on sparse matrices it can scale without end, and what is asked here has
+//! been scaled by its maker.
 
 use super::{Matrix, reflect, reflector};
 
-/// `D^-1 A D = V T V^T` with `T` quasi-triangular: blocks of two on its diagonal stand for pairs of
+/// `A = V T V^T` with `T` quasi-triangular: blocks of two on its diagonal stand for pairs of
 /// conjugate eigenvalues, and only for those.
 pub struct Schur {
     pub form: Matrix,
     pub vectors: Matrix,
-    pub scaling: Vec<f64>,
 }
 
 /// `None` when the iteration does not converge.
 pub fn schur(mut a: Matrix) -> Option<Schur> {
-    let scaling = balance(&mut a);
     let vectors = to_hessenberg(&mut a);
-    let mut schur = Schur { form: a, vectors, scaling };
+    let mut schur = Schur { form: a, vectors };
     schur.iterate()?;
     Some(schur)
-}
-
-/// Scales rows and columns by powers of two until they are of like size: no rounding, and small
-/// eigenvalues are not lost beside large ones.
-fn balance(a: &mut Matrix) -> Vec<f64> {
-    let n = a.rows();
-    let mut scaling = vec![1.0; n];
-    for _ in 0..100 {
-        let mut settled = true;
-        for k in 0..n {
-            let (mut column, mut row) = (0.0, 0.0);
-            for i in (0..n).filter(|&i| i != k) {
-                column += a[(i, k)].abs();
-                row += a[(k, i)].abs();
-            }
-            if column == 0.0 || row == 0.0 {
-                continue;
-            }
-            let exponent = (0.5 * (row / column).log2()).round().clamp(-500.0, 500.0);
-            let factor = exponent.exp2();
-            if column * factor + row / factor < 0.95 * (column + row) {
-                settled = false;
-                scaling[k] *= factor;
-                for i in 0..n {
-                    a[(k, i)] /= factor;
-                }
-                a.column_mut(k).iter_mut().for_each(|value| *value *= factor);
-            }
-        }
-        if settled {
-            break;
-        }
-    }
-    scaling
 }
 
 /// Reduces `a` by reflections from both sides and returns their product.

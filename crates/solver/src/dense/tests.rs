@@ -30,7 +30,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Truth: `A x = s x`, and the eigenvalues add up to the trace. Some entries are made zero and
-    /// rows are scaled, so that deflation and balancing have something to do.
+    /// rows are scaled, so that there is something to deflate.
     #[test]
     fn eigenpairs_meet_their_definition(n in 1usize..30, sparsity in 0.0f64..0.9, start in 1u64..1 << 40) {
         let mut seed = start;
