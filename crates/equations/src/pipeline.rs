@@ -46,6 +46,11 @@ impl Dae for System {
         true
     }
 
+    fn mass_is_constant(&self) -> bool {
+        // Inertias are in body axes.
+        true
+    }
+
     fn is_rotation(&self, velocity: usize) -> bool {
         // Bodies lie in the order of their velocities.
         let after = self.layout.bodies.partition_point(|slot| slot.velocity <= velocity);

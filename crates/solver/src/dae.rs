@@ -66,6 +66,11 @@ pub trait Dae {
         false
     }
 
+    /// True when `M` is the same in all states: without constraints it is then factored once.
+    fn mass_is_constant(&self) -> bool {
+        false
+    }
+
     /// `out = q o exp(increment)`. `out` and `q` may not alias.
     fn retract(&self, q: &[f64], increment: &[f64], out: &mut [f64]);
 

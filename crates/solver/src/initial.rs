@@ -121,6 +121,8 @@ pub fn accelerations(dae: &mut dyn Dae, state: &mut SystemState) -> Result<(), F
 /// The same with memory that is used again: once for each output of a run.
 #[derive(Default)]
 pub(crate) struct Accelerations {
+    /// True when the matrix given holds factors that serve all states.
+    factored: bool,
     x: Vec<f64>,
     rate: Vec<f64>,
 }
@@ -132,11 +134,15 @@ impl Accelerations {
         state: &mut SystemState,
         matrix: &mut NewtonMatrix,
     ) -> Result<(), Failure> {
+        if self.factored {
+            return self.solve(dae, state, matrix);
+        }
         let SystemState { t, q, v, a, lambda } = &*state;
         let t = *t;
         let at = JacobianPoint { t, q, v, a, lambda, mass: 1.0, damping: 0.0, stiffness: 0.0 };
         matrix.assemble(dae, at).map_err(Failure::evaluation(t))?;
         matrix.factor().map_err(|singular| Failure::new(Reason::Singular, t).at(dae, singular.unknown, 0.0))?;
+        self.factored = dae.constraints() == 0 && dae.mass_is_constant();
         self.solve(dae, state, matrix)
     }
 
@@ -162,7 +168,12 @@ impl Accelerations {
                 self.x[n + i] += self.rate[i];
             }
             self.x.iter_mut().for_each(|xi| *xi = -*xi);
-            matrix.solve_refined(&mut self.x);
+            if m == 0 {
+                // Inertias have nothing to refine.
+                matrix.solve(&mut self.x);
+            } else {
+                matrix.solve_refined(&mut self.x);
+            }
             let (mut change, mut size): (f64, f64) = (0.0, 0.0);
             for (ai, xi) in state.a.iter_mut().zip(&self.x[..n]) {
                 *ai += xi;
