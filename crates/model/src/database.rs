@@ -70,6 +70,9 @@ impl Database {
     // ---- reading ----
 
     /// The object of a handle that is known to live.
+    ///
+    /// # Panics
+    /// If the object was deleted, which only a mistake in Flexure can bring about.
     pub fn object(&self, id: ObjectId) -> &Object {
         self.get(id).expect("handle of a living object")
     }
@@ -157,7 +160,9 @@ impl Database {
         let ratio = self.ratio(cell.units, object.class.field(index).dimension);
         let mut numbers = cell.value.as_numbers()?;
         if ratio != 1.0 {
-            numbers.iter_mut().for_each(|x| *x *= ratio);
+            for x in &mut numbers {
+                *x *= ratio;
+            }
         }
         Some(numbers)
     }

@@ -71,10 +71,14 @@ impl Node {
             Node::Attribute(inner, _) | Node::Unary(_, inner) => inner.walk(visit),
             Node::Index(inner, indices) => {
                 inner.walk(visit);
-                indices.iter().for_each(|n| n.walk(visit));
+                for n in indices {
+                    n.walk(visit);
+                }
             }
             Node::Call { arguments: list, .. } | Node::Array(list) | Node::Row(list) => {
-                list.iter().for_each(|n| n.walk(visit));
+                for n in list {
+                    n.walk(visit);
+                }
             }
             Node::Binary(_, a, b) => {
                 a.walk(visit);

@@ -67,6 +67,9 @@ impl Class {
     }
 
     /// The field of a cell.
+    ///
+    /// # Panics
+    /// If the class has no cell of that number, which only a mistake in Flexure can bring about.
     pub fn field(&self, cell: usize) -> &'static Field {
         self.fields().nth(cell).expect("cell index belongs to the class")
     }

@@ -91,6 +91,7 @@ pub enum Use {
 
 /// One parameter of a command. Build with the constructors and the chained setters, all `const`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct Field {
     pub name: &'static str,
     pub kind: Kind,

@@ -291,14 +291,19 @@ impl UnitSystem {
         })
     }
 
+    /// Units by words that stand in the table above.
+    fn known(length: &str, mass: &str, time: &str, force: &str, angle: &str) -> UnitSystem {
+        Self::named(length, mass, time, force, angle).unwrap_or_else(|word| unreachable!("{word} is no unit"))
+    }
+
     /// mm, kg, newton, second, degrees: what a new session starts with.
     pub fn mmks() -> UnitSystem {
-        Self::named("mm", "kg", "second", "newton", "degrees").expect("words of the unit table")
+        Self::known("mm", "kg", "second", "newton", "degrees")
     }
 
     /// meter, kg, newton, second, radians.
     pub fn si() -> UnitSystem {
-        Self::named("meter", "kg", "second", "newton", "radians").expect("words of the unit table")
+        Self::known("meter", "kg", "second", "newton", "radians")
     }
 
     /// Size of one unit of a dimension in SI.
