@@ -181,8 +181,9 @@ impl Writer<'_> {
     }
 
     fn elements(&mut self, model: ObjectId) {
+        type Belongs = fn(&Class) -> bool;
         let done = |c: &Class| c.is("body") || c.id == "material";
-        let sections: [(&str, fn(&Class) -> bool); 8] = [
+        let sections: [(&str, Belongs); 8] = [
             ("Joints", |c| c.is("joint")),
             ("Constraints", |c| c.is("constraint") && c.id != "motion"),
             ("Motions", |c| c.id == "motion"),
@@ -350,7 +351,9 @@ impl Writer<'_> {
             Source::Elements(elements) => {
                 let mut numbers = cell.value.as_numbers().unwrap_or_default();
                 let ratio = self.ratio(cell.units, field.dimension);
-                numbers.iter_mut().for_each(|x| *x *= ratio);
+                for x in &mut numbers {
+                    *x *= ratio;
+                }
                 if matches!(field.kind, Kind::Location | Kind::Orientation) {
                     numbers = self.in_frame(id, field, numbers);
                 }

@@ -35,20 +35,17 @@ pub fn bind(database: &Database, text: &str) -> (FunctionText, Vec<String>) {
         } else {
             near(database, name).map(|id| (id, name.len()))
         };
-        match found {
-            Some((id, used)) => {
-                if !plain.is_empty() {
-                    pieces.push(Piece::Text(std::mem::take(&mut plain)));
-                }
-                pieces.push(Piece::Object(id));
-                plain.push_str(&name[used..]);
+        if let Some((id, used)) = found {
+            if !plain.is_empty() {
+                pieces.push(Piece::Text(std::mem::take(&mut plain)));
             }
-            None => {
-                if dotted {
-                    unknown.push(name.to_string());
-                }
-                plain.push_str(name);
+            pieces.push(Piece::Object(id));
+            plain.push_str(&name[used..]);
+        } else {
+            if dotted {
+                unknown.push(name.to_string());
             }
+            plain.push_str(name);
         }
         before = name.chars().last();
         rest = after;
@@ -65,7 +62,7 @@ fn name_length(text: &str) -> usize {
     for (i, c) in text.char_indices() {
         if c == '"' {
             quoted = !quoted;
-        } else if !quoted && !(c.is_ascii_alphanumeric() || c == '_' || c == '.') {
+        } else if !(quoted || c.is_ascii_alphanumeric() || c == '_' || c == '.') {
             return i;
         }
     }

@@ -26,6 +26,7 @@ pub struct Journal {
 }
 
 /// How far the program that runs another has come.
+#[derive(Clone, Copy)]
 pub(crate) struct Outer {
     next_line: usize,
     kept_to: usize,

@@ -194,7 +194,7 @@ impl Interpreter {
             let typed = call.program.word(item.span).to_string();
             texts.push(match &item.kind {
                 ItemKind::Number { value, .. } => {
-                    self.check_bounds(formal, *value, item.span)?;
+                    Self::check_bounds(formal, *value, item.span)?;
                     typed
                 }
                 ItemKind::Word => self.actual_word(formal, &typed, item.span)?,
@@ -250,7 +250,7 @@ impl Interpreter {
         Ok(self.database.full_name(id))
     }
 
-    fn check_bounds(&self, formal: &Formal, value: f64, span: text::Span) -> Result<(), Vec<Diagnostic>> {
+    fn check_bounds(formal: &Formal, value: f64, span: text::Span) -> Result<(), Vec<Diagnostic>> {
         for (bound, limit) in &formal.bounds {
             let (holds, sign) = match bound {
                 Bound::Above => (value > *limit, ">"),
@@ -287,22 +287,17 @@ impl Interpreter {
         })?;
         let text = String::from_utf8(text).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect());
         let typed = self.text_argument(call, name)?;
-        let id = match lookup::search_one(&self.database, &typed, "macro") {
-            Some(id) => id,
-            None => {
-                let place = lookup::new_name(&self.database, &self.registry, &CLASS, &typed, name.value_span)
-                    .or_else(|e| {
-                        if typed.contains('.') {
-                            Err(e)
-                        } else {
-                            Ok(lookup::NewName { parent: None, name: typed.clone() })
-                        }
-                    })
-                    .map_err(|e| vec![e])?;
-                self.database
-                    .create(&CLASS, place.parent, &place.name)
-                    .map_err(|t| vec![lookup::taken(&self.database, &CLASS, &typed, t.0, name.value_span)])?
-            }
+        let id = if let Some(id) = lookup::search_one(&self.database, &typed, "macro") {
+            id
+        } else {
+            let place = lookup::new_name(&self.database, &self.registry, &CLASS, &typed, name.value_span)
+                .or_else(|e| {
+                    if typed.contains('.') { Err(e) } else { Ok(lookup::NewName { parent: None, name: typed.clone() }) }
+                })
+                .map_err(|e| vec![e])?;
+            self.database
+                .create(&CLASS, place.parent, &place.name)
+                .map_err(|t| vec![lookup::taken(&self.database, &CLASS, &typed, t.0, name.value_span)])?
         };
         for line in text.lines() {
             let Some(header) = line.trim().strip_prefix('!') else { continue };
@@ -389,7 +384,7 @@ fn formal(name: &str, qualifiers: &str) -> Formal {
                 let least = parts.next().unwrap_or(1);
                 let most = parts.next();
                 (formal.least, formal.most) = match (least, most) {
-                    (0, None) | (0, Some(0)) => (0, usize::MAX),
+                    (0, None | Some(0)) => (0, usize::MAX),
                     (n, Some(0)) => (n, usize::MAX),
                     (n, Some(m)) => (n, m),
                     (n, None) => (n, n),

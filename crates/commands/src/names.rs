@@ -46,12 +46,11 @@ impl Names {
     ) -> String {
         let scope = parent.and_then(|p| database.model_of(p));
         let key = (scope, class.word, prefix.to_ascii_lowercase());
-        let number = match self.highest.get(&key) {
-            Some(highest) => highest + 1,
-            None => {
-                let name = database.generated_name(class, parent, prefix);
-                name.get(prefix.len()..).and_then(|n| n.parse().ok()).unwrap_or(1)
-            }
+        let number = if let Some(highest) = self.highest.get(&key) {
+            highest + 1
+        } else {
+            let name = database.generated_name(class, parent, prefix);
+            name.get(prefix.len()..).and_then(|n| n.parse().ok()).unwrap_or(1)
         };
         self.highest.insert(key, number);
         let name = format!("{prefix}{number}");

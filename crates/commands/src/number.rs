@@ -13,14 +13,14 @@ pub fn real(x: f64) -> String {
     if !(0.1..10000.0).contains(&size) {
         return exponent(x);
     }
-    let text = trim(format!("{x:.10}"));
+    let text = trim(&format!("{x:.10}"));
     if text.parse() == Ok(x) { text } else { format!("{x:?}") }
 }
 
 fn exponent(x: f64) -> String {
     let short = format!("{x:.10E}");
     let (mantissa, power) = short.split_once('E').unwrap_or((&short, "0"));
-    let mut mantissa = trim(mantissa.to_string());
+    let mut mantissa = trim(mantissa);
     let mut power: i32 = power.parse().unwrap_or(0);
     if format!("{mantissa}E{power}").parse() != Ok(x) {
         let full = format!("{x:E}");
@@ -33,7 +33,7 @@ fn exponent(x: f64) -> String {
 }
 
 /// Cuts trailing zeros but one.
-fn trim(text: String) -> String {
+fn trim(text: &str) -> String {
     match text.split_once('.') {
         Some((whole, decimals)) => {
             let kept = decimals.trim_end_matches('0');
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn numbers_read_back_to_the_same_value() {
-        for x in [1.0 / 3.0, 1e-300, 123456.789012345678, 0.1 + 0.2, -2.0f64.sqrt() * 1e5] {
+        for x in [1.0 / 3.0, 1e-300, 123_456.789_012_345_67, 0.1 + 0.2, -2.0f64.sqrt() * 1e5] {
             assert_eq!(real(x).parse::<f64>().unwrap(), x);
         }
     }

@@ -50,9 +50,9 @@ pub fn read(
     let parent_pose = parent.map_or(Pose::GLOBAL, |p| database.global_pose(p));
     // From the frame values are read in to the frame they are stored in.
     let convert = if frame == parent { Pose::GLOBAL } else { parent_pose.inverse().then(&frame_pose) };
-    let mut placement = Placement::default();
     // The model stands for the global frame, so that a kept expression always has one.
-    placement.relative_to = frame.or_else(|| parent.and_then(|p| database.model_of(p)));
+    let relative_to = frame.or_else(|| parent.and_then(|p| database.model_of(p)));
+    let mut placement = Placement { relative_to, ..Placement::default() };
     let mut frame_reads = Vec::new();
     if frame != parent {
         for id in [frame, parent].into_iter().flatten().filter(|id| Some(*id) != object) {

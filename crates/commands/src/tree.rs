@@ -159,14 +159,13 @@ impl CommandTree {
         let mut node = 0;
         for word in words {
             let word: Box<str> = word.to_ascii_lowercase().into();
-            node = match self.nodes[node].children.get(&word) {
-                Some(&child) => child,
-                None => {
-                    self.nodes.push(Node::default());
-                    let child = self.nodes.len() - 1;
-                    self.nodes[node].children.insert(word, child);
-                    child
-                }
+            node = if let Some(&child) = self.nodes[node].children.get(&word) {
+                child
+            } else {
+                self.nodes.push(Node::default());
+                let child = self.nodes.len() - 1;
+                self.nodes[node].children.insert(word, child);
+                child
             };
         }
         node

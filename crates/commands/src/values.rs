@@ -39,6 +39,8 @@ pub struct Reader<'a> {
 }
 
 type Errors = Vec<Diagnostic>;
+/// The numbers of one value, the expression to keep, and what it reads.
+type NumberItem = (Vec<f64>, Option<Expression>, Vec<CellKey>);
 
 impl Reader<'_> {
     /// Reads the values of an argument as its field wants them.
@@ -107,12 +109,12 @@ impl Reader<'_> {
         if !errors.is_empty() {
             // A list of words where numbers are wanted: the number of values says more.
             if field.count.most != usize::MAX && field.count.least > 1 && values.is_empty() {
-                errors.insert(0, self.count_error(field, argument, count));
+                errors.insert(0, Self::count_error(field, argument, count));
             }
             return Err(errors);
         }
         if values.len() < field.count.least || values.len() > field.count.most {
-            return Err(vec![self.count_error(field, argument, values.len())]);
+            return Err(vec![Self::count_error(field, argument, values.len())]);
         }
         for (x, item) in values.iter().zip(argument.values.iter().chain(std::iter::repeat(&argument.values[0]))) {
             if !x.is_finite() {
@@ -144,7 +146,7 @@ impl Reader<'_> {
         Ok(Draft { value, source, reads })
     }
 
-    fn count_error(&self, field: &Field, argument: &Argument, found: usize) -> Diagnostic {
+    fn count_error(field: &Field, argument: &Argument, found: usize) -> Diagnostic {
         let wanted = match (field.count.least, field.count.most) {
             (least, most) if least == most => format!("{least}"),
             (least, usize::MAX) => format!("at least {least}"),
@@ -161,11 +163,7 @@ impl Reader<'_> {
             .adams(format!("{wanted} values are required for '{}'.", field.name))
     }
 
-    fn number_item(
-        &mut self,
-        field: &Field,
-        item: &Item,
-    ) -> Result<(Vec<f64>, Option<Expression>, Vec<CellKey>), Errors> {
+    fn number_item(&mut self, field: &Field, item: &Item) -> Result<NumberItem, Errors> {
         match &item.kind {
             ItemKind::Number { value, unit: None } => Ok((vec![*value], None, Vec::new())),
             ItemKind::Number { value, unit: Some(unit) } => {
@@ -284,7 +282,7 @@ impl Reader<'_> {
 
     fn boolean(&mut self, field: &Field, argument: &Argument, yes: &str, no: &str) -> Result<Draft, Errors> {
         let [item] = argument.values.as_slice() else {
-            return Err(vec![self.count_error(field, argument, argument.values.len())]);
+            return Err(vec![Self::count_error(field, argument, argument.values.len())]);
         };
         let typed = self.plain(item)?;
         let flag = match match_word([yes, no], &typed) {
@@ -335,12 +333,12 @@ impl Reader<'_> {
                 }
             }
         }
-        self.text_value(field, argument, chosen)
+        Self::text_value(field, argument, chosen)
     }
 
-    fn text_value(&self, field: &Field, argument: &Argument, mut texts: Vec<String>) -> Result<Draft, Errors> {
+    fn text_value(field: &Field, argument: &Argument, mut texts: Vec<String>) -> Result<Draft, Errors> {
         if texts.len() > field.count.most || texts.len() < field.count.least {
-            return Err(vec![self.count_error(field, argument, texts.len())]);
+            return Err(vec![Self::count_error(field, argument, texts.len())]);
         }
         let value =
             if field.count.most == 1 { Value::Text(texts.pop().unwrap_or_default()) } else { Value::Texts(texts) };
@@ -365,7 +363,7 @@ impl Reader<'_> {
                 texts.push(self.plain(item)?);
             }
         }
-        let mut draft = self.text_value(field, argument, texts)?;
+        let mut draft = Self::text_value(field, argument, texts)?;
         if let Some(expression) = kept {
             draft.source = Source::Expression(Box::new(expression));
             draft.reads = reads;
@@ -434,7 +432,7 @@ impl Reader<'_> {
             }
         }
         if found.len() > field.count.most {
-            return Err(vec![self.count_error(field, argument, found.len())]);
+            return Err(vec![Self::count_error(field, argument, found.len())]);
         }
         let value = match (many, found.as_slice()) {
             (false, [one]) => Value::Object(*one),

@@ -99,7 +99,7 @@ fn reading_a_file_is_logged_as_adams_does() {
         let mut source_line = 0;
         let known = wanted.iter().take_while(|l| {
             source_line += usize::from(echoed(l).is_some());
-            first.is_none_or(|f| source_line < f as usize)
+            first.is_none_or(|f| source_line < f)
         });
         let known = known.count();
         for (at, wanted) in wanted[..known].iter().enumerate() {

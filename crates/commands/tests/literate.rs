@@ -43,17 +43,12 @@ struct Recorder {
 
 impl Host for Recorder {
     fn simulate(&mut self, _: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>> {
-        let mut line = format!("{:?}", request.kind).to_lowercase();
-        if let Some(end) = request.end {
-            line += &format!(" end={end}");
-        }
-        if let Some(duration) = request.duration {
-            line += &format!(" duration={duration}");
-        }
-        line += &format!(" {:?}", request.output).to_lowercase();
-        for (statement, key, value) in &request.settings {
-            line += &format!(" {statement}/{key}={value}");
-        }
+        let mut words = vec![format!("{:?}", request.kind).to_lowercase()];
+        words.extend(request.end.map(|end| format!("end={end}")));
+        words.extend(request.duration.map(|duration| format!("duration={duration}")));
+        words.push(format!("{:?}", request.output).to_lowercase());
+        words.extend(request.settings.iter().map(|(statement, key, value)| format!("{statement}/{key}={value}")));
+        let line = words.join(" ");
         self.seen.lock().unwrap().runs.push(line);
         Ok(())
     }

@@ -38,27 +38,24 @@ fn copy(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnost
         Kind::Object(_, wanted) => wanted,
         _ => "any",
     };
-    let id = match interpreter.object_argument(call, &old.name)?.or_else(|| interpreter.database.current(wanted)) {
-        Some(id) => id,
-        None => return Err(vec![call.missing(&[&old.name])]),
+    let Some(id) = interpreter.object_argument(call, &old.name)?.or_else(|| interpreter.database.current(wanted))
+    else {
+        return Err(vec![call.missing(&[&old.name])]);
     };
     let object = interpreter.database.object(id);
     let (class, parent) = (object.class, object.parent);
-    let (place, typed, span) = match call.argument(&new.name) {
-        Some(argument) => {
-            let typed = interpreter.text_argument(call, argument)?;
-            let mut place =
-                lookup::new_name(&interpreter.database, &interpreter.registry, class, &typed, argument.value_span)
-                    .map_err(|e| vec![e])?;
-            if !typed.starts_with('.') {
-                place.parent = parent;
-            }
-            (place, typed, argument.value_span)
+    let (place, typed, span) = if let Some(argument) = call.argument(&new.name) {
+        let typed = interpreter.text_argument(call, argument)?;
+        let mut place =
+            lookup::new_name(&interpreter.database, &interpreter.registry, class, &typed, argument.value_span)
+                .map_err(|e| vec![e])?;
+        if !typed.starts_with('.') {
+            place.parent = parent;
         }
-        None => {
-            let name = interpreter.generate_name(class, parent);
-            (lookup::NewName { parent, name: name.clone() }, name, call.keywords)
-        }
+        (place, typed, argument.value_span)
+    } else {
+        let name = interpreter.generate_name(class, parent);
+        (lookup::NewName { parent, name: name.clone() }, name, call.keywords)
     };
     let sources = interpreter.database.subtree(id);
     let mut twins: HashMap<ObjectId, ObjectId> = HashMap::new();

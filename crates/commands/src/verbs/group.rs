@@ -25,10 +25,10 @@ pub const REMOVE: VerbEntry =
 pub const EMPTY: VerbEntry = verb("group empty", &[GROUP], empty, "takes all objects out of a group");
 
 fn group_and_members(interpreter: &mut Interpreter, call: &Call) -> Outcome<(ObjectId, Vec<ObjectId>)> {
-    let group = match interpreter.object_argument(call, "group_name")?.or_else(|| interpreter.database.current("group"))
-    {
-        Some(group) => group,
-        None => return Err(vec![call.missing(&["group_name"])]),
+    let Some(group) =
+        interpreter.object_argument(call, "group_name")?.or_else(|| interpreter.database.current("group"))
+    else {
+        return Err(vec![call.missing(&["group_name"])]);
     };
     interpreter.database.make_current(group);
     let members = interpreter.database.value(group, "objects_in_group").map(Value::objects).unwrap_or_default();

@@ -139,12 +139,10 @@ pub const SCRIPTED: VerbEntry = verb(
 );
 
 fn scripted(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
-    let script = match interpreter
-        .object_argument(call, "sim_script_name")?
-        .or_else(|| interpreter.database.current("script"))
-    {
-        Some(script) => script,
-        None => return Err(vec![call.missing(&["sim_script_name"])]),
+    let Some(script) =
+        interpreter.object_argument(call, "sim_script_name")?.or_else(|| interpreter.database.current("script"))
+    else {
+        return Err(vec![call.missing(&["sim_script_name"])]);
     };
     let model = match interpreter.object_argument(call, "model_name")? {
         Some(model) => model,

@@ -61,6 +61,7 @@ fn end_block(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     Ok(Flow::Next)
 }
 
+#[allow(clippy::unnecessary_wraps)] // the signature of all verbs
 fn flush(interpreter: &mut Interpreter, _: &Call) -> Outcome {
     interpreter.database.flush_history();
     Ok(Flow::Next)

@@ -60,13 +60,12 @@ pub const MODIFY: VerbEntry = entry(
 );
 
 fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
-    let (typed, span) = match call.argument("variable_name") {
-        Some(argument) => (interpreter.text_argument(call, argument)?, argument.value_span),
-        None => {
-            let parent = interpreter.database.current("model");
-            let Some(class) = interpreter.registry.class("variable") else { return Ok(Flow::Skipped) };
-            (interpreter.generate_name(class, parent), call.keywords)
-        }
+    let (typed, span) = if let Some(argument) = call.argument("variable_name") {
+        (interpreter.text_argument(call, argument)?, argument.value_span)
+    } else {
+        let parent = interpreter.database.current("model");
+        let Some(class) = interpreter.registry.class("variable") else { return Ok(Flow::Skipped) };
+        (interpreter.generate_name(class, parent), call.keywords)
     };
     let id = make(interpreter, &typed, span)?;
     fill(interpreter, call, id)?;
@@ -128,12 +127,10 @@ fn set(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
 }
 
 fn modify(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
-    let id = match interpreter
-        .object_argument(call, "variable_name")?
-        .or_else(|| interpreter.database.current("variable"))
-    {
-        Some(id) => id,
-        None => return Err(vec![call.missing(&["variable_name"])]),
+    let Some(id) =
+        interpreter.object_argument(call, "variable_name")?.or_else(|| interpreter.database.current("variable"))
+    else {
+        return Err(vec![call.missing(&["variable_name"])]);
     };
     fill(interpreter, call, id)?;
     interpreter.database.make_current(id);
