@@ -139,6 +139,19 @@ fn mistakes_are_refused_with_the_texts_of_adams() {
     refused(&mut i, "marker delete marker_name = .m.p1.marker_1", "name/has-dependents", "");
 }
 
+/// The help page's example has this placeholder where the 21 terms of a symmetric matrix go.
+#[test]
+fn the_placeholder_of_the_help_page_says_how_many_numbers_are_wanted() {
+    let mut i = fixture();
+    let text = "force modify element_like beam beam_name = beam1 matrix_of_damping_terms = a 6x6 matrix";
+    let report = i.execute(text);
+    assert_eq!(report.failed, 1);
+    let error = report.diagnostics.iter().find(|d| d.code == "command/wrong-count").unwrap();
+    assert!(error.message.contains("`matrix_of_damping_terms` wants 21 numbers"), "{}", error.message);
+    let place = error.primary.as_ref().unwrap().span;
+    assert!(i.sources.text(place.file)[place.range()].starts_with('a'));
+}
+
 #[test]
 fn values_keep_their_meaning_when_units_change() {
     let mut i = fixture();
