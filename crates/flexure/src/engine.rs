@@ -120,20 +120,6 @@ impl Engine {
         self.left.as_ref().filter(|left| left.model == model && left.revision == database.revision())
     }
 
-    pub fn verify_report(&mut self, database: &Database, model: ObjectId) -> Vec<String> {
-        simulate::verify_report(database, model)
-    }
-
-    pub fn write_data_set(
-        &mut self,
-        database: &mut Database,
-        model: ObjectId,
-        path: &Path,
-    ) -> Result<(), Vec<Diagnostic>> {
-        let text = dataset_text(database, model)?;
-        std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
-    }
-
     /// A path as a command gives it: as it is, or beside the file being read if it is only there.
     pub fn resolve(&self, path: &str) -> PathBuf {
         let given = PathBuf::from(path);
@@ -144,6 +130,12 @@ impl Engine {
             _ => given,
         }
     }
+}
+
+/// Writes a model as a solver dataset.
+pub(crate) fn write_data_set(database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
+    let text = dataset_text(database, model)?;
+    std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
 }
 
 /// A model as a solver dataset; parts without mass of their own get that of their geometry.

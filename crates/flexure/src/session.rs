@@ -12,7 +12,7 @@ use results::Polyline;
 use text::{Diagnostic, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
-use crate::engine::Engine;
+use crate::engine::{Engine, write_data_set};
 use crate::modes::ModesReport;
 use crate::run::{Run, RunObserver};
 use crate::settings::SimulationOptions;
@@ -259,7 +259,7 @@ impl Session {
     pub fn verify(&self) -> Verification {
         let Some(model) = self.model() else { return Verification::default() };
         Verification {
-            report: self.engine().verify_report(self.database(), model),
+            report: elements::verify_report(self.database(), model),
             findings: elements::verify(self.database(), model),
         }
     }
@@ -284,7 +284,7 @@ impl Session {
         let model = self.model_or_error()?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         match extension.as_str() {
-            "adm" => lock(&self.engine).write_data_set(&mut self.interpreter.database, model, path),
+            "adm" => write_data_set(&mut self.interpreter.database, model, path),
             "cmd" => {
                 let text = commands::write_model(&self.interpreter.database, model);
                 std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
@@ -321,11 +321,11 @@ impl Host for EngineHost {
     }
 
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        lock(&self.0).write_data_set(database, model, path)
+        write_data_set(database, model, path)
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {
-        let report = lock(&self.0).verify_report(database, model);
+        let report = elements::verify_report(database, model);
         (report, elements::verify(database, model).into_iter().map(|f| f.diagnostic).collect())
     }
 

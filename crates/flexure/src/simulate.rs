@@ -398,8 +398,3 @@ fn evaluation(error: &solver::Evaluation) -> Diagnostic {
 pub(crate) fn failed(failure: &Failure) -> Diagnostic {
     Diagnostic::error("run/failed", failure.to_string()).adams("ERROR:  Simulation failure detected.")
 }
-
-/// Lines of the verification report in Adams' wording.
-pub(crate) fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
-    elements::verify_report(database, model)
-}

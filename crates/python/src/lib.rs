@@ -1,6 +1,9 @@
 //! The native module of the Python package: arguments in, one call of the facade, results out.
 //! The classes people see are in `python/flexure`.
 
+// Python's values arrive as owned arguments.
+#![allow(clippy::needless_pass_by_value)]
+
 mod errors;
 mod observer;
 mod session;

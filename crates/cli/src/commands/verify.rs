@@ -59,6 +59,6 @@ pub(super) fn execute(verify: &Verify) -> Outcome {
 
 /// `car.cmd` -> `car_fixed.cmd`, in the folder one works in.
 fn beside(model: &std::path::Path) -> PathBuf {
-    let stem = model.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_else(|| "model".into());
+    let stem = model.file_stem().map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
     PathBuf::from(format!("{stem}_fixed.cmd"))
 }
