@@ -90,19 +90,19 @@ pub struct Simulate {
     #[arg(long)]
     pub kinematic: bool,
     /// End time, seconds.
-    #[arg(long, value_name = "T", required_unless_present = "statics")]
+    #[arg(long, value_name = "T", required_unless_present = "statics", allow_negative_numbers = true)]
     pub end: Option<f64>,
     /// Number of output steps.
     #[arg(long, value_name = "N", conflicts_with = "dtout")]
     pub steps: Option<usize>,
     /// Time between outputs, seconds.
-    #[arg(long, value_name = "H")]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
     pub dtout: Option<f64>,
     /// Integrator by its Adams name (gstiff, si2, wstiff, hht, newmark, ...).
     #[arg(long, value_name = "NAME")]
     pub integrator: Option<String>,
     /// Local error tolerance.
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub error: Option<f64>,
     /// Largest step, seconds.
     #[arg(long, value_name = "H")]

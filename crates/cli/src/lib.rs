@@ -51,6 +51,10 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     std::panic::set_hook(Box::new(|panic| {
+        // Whoever read our output has read enough (`flexure verify ... | head`).
+        if panic.to_string().contains("Broken pipe") {
+            std::process::exit(141);
+        }
         eprintln!("flexure: internal error: {panic}");
         eprintln!("This is a fault of flexure, not of your model. Please report it with the files and the command.");
     }));

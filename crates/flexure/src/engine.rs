@@ -97,6 +97,11 @@ impl Engine {
         settings: &[(String, String, String)],
     ) -> Result<(), Vec<Diagnostic>> {
         self.count += 1;
+        if self.left.as_ref().is_some_and(|left| left.model == model && left.revision != database.revision()) {
+            self.observer
+                .message("The model has changed since the last analysis: this one starts from the model as it is.");
+            self.left = None;
+        }
         let from = self.left_state(database, model).map(|left| left.state.clone());
         let simulation =
             Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };

@@ -70,11 +70,11 @@ pub(crate) fn find(
     let (system, state) = (&mut prepared.lowered.system, &mut prepared.state);
     if statics {
         let options = static_options(database, model, &[]);
-        let moving = state.v.clone();
         system.set_statics(true);
         let found = equilibrium(system, state, &options, &mut Quiet);
         system.set_statics(false);
-        state.v = moving;
+        // At rest: whatever velocities the model starts with do not belong to the equilibrium.
+        state.v.fill(0.0);
         found.map_err(|f| vec![failed(&f)])?;
     }
     match solver::initial::accelerations(system, state) {

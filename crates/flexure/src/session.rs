@@ -19,6 +19,16 @@ use crate::settings::SimulationOptions;
 
 pub use commands::Report;
 
+/// Files of Adams that are known by their extension and not read.
+const NOT_READ: [(&str, &str); 6] = [
+    ("adm", "a solver dataset"),
+    ("acf", "a solver command file"),
+    ("res", "a results file"),
+    ("req", "a request file"),
+    ("gra", "a graphics file"),
+    ("bin", "a binary database"),
+];
+
 /// What verification found: the report in Adams' words, and findings with their mending.
 #[derive(Clone, Debug, Default)]
 pub struct Verification {
@@ -121,6 +131,13 @@ impl Session {
 
     /// Executes a command file (`.cmd`, `.mac`).
     pub fn read(&mut self, path: &Path) -> Report {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        if let Some((_, what)) = NOT_READ.iter().find(|(known, _)| *known == extension) {
+            let text = format!("{} is {what}; Flexure does not read that yet", path.display());
+            let refusal =
+                Diagnostic::error("file/not-read-yet", text).help("Adams View command files (.cmd, .mac) are read");
+            return Report { failed: 1, diagnostics: vec![refusal], ..Report::default() };
+        }
         self.engine().folder = path.parent().map(Path::to_path_buf);
         self.journalled(|interpreter| interpreter.run_file(path))
     }

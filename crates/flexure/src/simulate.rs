@@ -1,11 +1,15 @@
 //! One run from model to results: lowering, redundant constraints, initial conditions, analysis.
 
 use elements::{Lowered, Options};
-use equations::{Concern, System};
+use equations::{Concern, Side, System, relative};
 use model::{Database, ObjectId};
 use results::Table;
+use schema::UnitSystem;
 use solver::redundancy::{self, SparseRows};
-use solver::{Control, Dae, Failure, Observer, Statistics, SystemState, equilibrium, initial, integrate};
+use solver::{
+    Control, Dae, Failure, IntegratorOptions, Observer, StaticOptions, Statistics, SystemState, equilibrium, initial,
+    integrate,
+};
 use text::Diagnostic;
 
 use crate::run::{Progress, Run, RunHeader, RunObserver};
@@ -40,9 +44,11 @@ pub(crate) fn run(
     observer: &mut dyn RunObserver,
 ) -> Result<(Run, SystemState), Vec<Diagnostic>> {
     let Simulation { database, model, .. } = simulation;
-    let prepared = prepare(database, model, simulation.from, simulation.record_all)?;
+    let prepared = prepare(database, model, simulation.from.clone(), simulation.record_all)?;
     let Prepared { lowered, mut state, mut messages, freedom } = prepared;
-    let analysis = settle(simulation.options.analysis, freedom, &mut messages);
+    let analysis = settle(simulation.options.analysis, freedom, &mut messages)?;
+    // Whatever is wrong with the settings is said before results of an earlier run are touched.
+    let plan = Plan::new(&simulation, analysis, state.t, &mut messages)?;
     let name = database.object(model).name.clone();
     let (short, title) = titles(analysis);
     let columns = lowered.outputs.columns();
@@ -60,8 +66,7 @@ pub(crate) fn run(
         stopped: false,
         start: state.t,
     };
-    let settings = (database, model, simulation.options, simulation.settings);
-    let outcome = analyse(analysis, &mut system, &mut state, settings, &mut recorder, &mut messages);
+    let outcome = analyse(&plan, &mut system, &mut state, &mut recorder, &mut messages);
     let Recorder { table, concerns, stopped, observer, .. } = recorder;
     let mut run = Run { header, table, statistics: Statistics::default(), messages, diagnostics, interrupted: stopped };
     run.diagnostics.extend(concern_warnings(&concerns));
@@ -96,13 +101,14 @@ pub(crate) fn prepare(
         v,
         ..SystemState::default()
     });
-    let mut messages = Vec::new();
+    let mut messages = apart(system, &state, database.units());
     let redundant = switch_off_redundant(system, &state)?;
     if !redundant.is_empty() {
         messages.push("Degree-of-freedom analysis identified redundant constraints in the model:".to_string());
         messages.extend(redundant.iter().map(|r| format!(" -  deactivating constraint equation  {r}")));
     }
     assemble(system, &mut state)?;
+    contradictions(system, &state)?;
     let freedom = system.velocities().saturating_sub(system.constraints());
     Ok(Prepared { lowered, state, messages, freedom })
 }
@@ -139,9 +145,79 @@ fn assemble(system: &mut System, state: &mut SystemState) -> Result<(), Vec<Diag
     Ok(())
 }
 
+/// What Adams says at the start of a run of joints whose markers are apart: displacement of I from J
+/// in J axes.
+fn apart(system: &mut System, state: &SystemState, units: &UnitSystem) -> Vec<String> {
+    let (q, v) = (state.q.clone(), state.v.clone());
+    system.state(state.t, &q, &v, None);
+    let unit = units.length.si;
+    let mut messages = Vec::new();
+    for constraint in system.constraint_list() {
+        let coincident = (0..constraint.equations())
+            .filter(|e| ["X", "Y", "Z"].contains(&constraint.equation_name(*e).0.as_str()))
+            .count()
+            == 3;
+        let (Some(i), Some(j), true) = (constraint.frame(Side::I), constraint.frame(Side::J), coincident) else {
+            continue;
+        };
+        let d = relative(system.last_state(), i, j).d_ji_j / unit;
+        // Exports carry ten digits; what is smaller is no displacement.
+        if d.length() > 1e-6 * (system.size() / unit).max(1.0) {
+            messages.push(format!(
+                "WARNING: The markers for {} are not initially coincident. The relative displacement between the \
+                 markers, expressed in the J marker coordinate frame is: Delta X = {:.4}  Delta Y = {:.4}  \
+                 Delta Z = {:.4}. The parts are moved together.",
+                constraint.name().trim_start_matches('.'),
+                d.x,
+                d.y,
+                d.z
+            ));
+        }
+    }
+    messages
+}
+
+/// Equations that were switched off because others say the same must hold all the same, in position
+/// and in velocity.
+fn contradictions(system: &mut System, state: &SystemState) -> Result<(), Vec<Diagnostic>> {
+    let rows = system.constraint_rows(state.t, &state.q).map_err(|e| vec![evaluation(&e)])?;
+    let length = system.size().max(1.0);
+    let mut rates = std::collections::BTreeMap::new();
+    let last = system.last_state();
+    for (index, constraint) in system.constraint_list().iter().enumerate() {
+        let mut rate = vec![0.0; constraint.equations()];
+        constraint.velocity(last, &mut rate);
+        rates.insert(index, rate);
+    }
+    let mut errors = Vec::new();
+    for row in rows.iter().filter(|row| !row.active) {
+        let speed: f64 = row.entries.iter().map(|(column, value)| value * state.v[*column]).sum();
+        let rate = speed + rates[&row.constraint][row.equation];
+        let fast = row.entries.iter().map(|(column, value)| (value * state.v[*column]).abs()).fold(1.0, f64::max);
+        if row.phi.abs() > 1e-6 * length || rate.abs() > 1e-6 * fast {
+            let constraint = &system.constraint_list()[row.constraint];
+            let (short, words) = constraint.equation_name(row.equation);
+            let text = format!("`{}` contradicts other constraints: equation {short} cannot hold", constraint.name());
+            let what = if row.phi.abs() > 1e-6 * length { "is off by" } else { "changes at a rate of" };
+            let size = if row.phi.abs() > 1e-6 * length { row.phi } else { rate };
+            errors.push(
+                Diagnostic::error("run/contradictory-constraints", text)
+                    .note(format!("{words} {what} {size:.6e} (SI) when the others hold"))
+                    .help("remove one of the constraints that hold the same motion, or make them agree"),
+            );
+        }
+    }
+    if errors.is_empty() { Ok(()) } else { Err(errors) }
+}
+
 /// Chooses between kinematic and dynamic, and says what Adams says of a determinate model.
-fn settle(analysis: Analysis, freedom: usize, messages: &mut Vec<String>) -> Analysis {
-    match analysis {
+fn settle(analysis: Analysis, freedom: usize, messages: &mut Vec<String>) -> Result<Analysis, Vec<Diagnostic>> {
+    Ok(match analysis {
+        Analysis::Kinematic { .. } if freedom > 0 => {
+            let text = format!("a kinematic analysis needs a model without degrees of freedom; this one has {freedom}");
+            let help = "run a dynamic analysis, or drive what moves freely by motions";
+            return Err(vec![Diagnostic::error("run/degrees-of-freedom", text).help(help)]);
+        }
         Analysis::Auto { end, outputs } if freedom == 0 => Analysis::Kinematic { end, outputs },
         Analysis::Auto { end, outputs } => Analysis::Dynamic { end, outputs },
         Analysis::Dynamic { .. } if freedom == 0 => {
@@ -153,7 +229,7 @@ fn settle(analysis: Analysis, freedom: usize, messages: &mut Vec<String>) -> Ana
             analysis
         }
         other => other,
-    }
+    })
 }
 
 fn titles(analysis: Analysis) -> (&'static str, String) {
@@ -168,33 +244,59 @@ fn titles(analysis: Analysis) -> (&'static str, String) {
     }
 }
 
-type Settings<'a> = (&'a Database, ObjectId, &'a SimulationOptions, &'a [(String, String, String)]);
+/// An analysis with everything it needs, checked.
+struct Plan {
+    analysis: Analysis,
+    /// Output times; empty for analyses at one time.
+    times: Vec<f64>,
+    integrator: IntegratorOptions,
+    statics: StaticOptions,
+}
+
+impl Plan {
+    fn new(
+        simulation: &Simulation<'_>,
+        analysis: Analysis,
+        now: f64,
+        messages: &mut Vec<String>,
+    ) -> Result<Plan, Vec<Diagnostic>> {
+        let Simulation { database, model, options, settings, .. } = simulation;
+        let times = match analysis {
+            Analysis::Static | Analysis::Assemble => Vec::new(),
+            Analysis::Dynamic { end, outputs }
+            | Analysis::Kinematic { end, outputs }
+            | Analysis::QuasiStatic { end, outputs }
+            | Analysis::Auto { end, outputs } => times(outputs, now, end)?,
+        };
+        let (integrator, notes) = integrator_options(database, *model, options, settings)?;
+        if matches!(analysis, Analysis::Dynamic { .. }) {
+            messages.extend(notes);
+        }
+        Ok(Plan { analysis, times, integrator, statics: static_options(database, *model, settings) })
+    }
+}
 
 fn analyse(
-    analysis: Analysis,
+    plan: &Plan,
     system: &mut System,
     state: &mut SystemState,
-    (database, model, options, commands): Settings<'_>,
     recorder: &mut Recorder<'_>,
     messages: &mut Vec<String>,
 ) -> Result<Statistics, Vec<Diagnostic>> {
-    let report = |failure: &Failure| vec![failed(failure)];
-    match analysis {
+    let report = |failure: Failure| vec![failed(&failure)];
+    match plan.analysis {
         Analysis::Assemble => {
-            initial::accelerations(system, state).map_err(|f| report(&f))?;
+            initial::accelerations(system, state).map_err(report)?;
             recorder.record(system, state);
             Ok(Statistics::default())
         }
-        Analysis::Static => {
-            balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))
-        }
-        Analysis::QuasiStatic { end, outputs } => {
+        Analysis::Static => balance(system, state, &plan.statics, recorder, messages).map_err(report),
+        Analysis::QuasiStatic { .. } => {
             let mut total = Statistics::default();
-            for t in times(outputs, state.t, end)? {
+            for &t in &plan.times {
                 state.t = t;
-                initial::displacements(system, state, &[]).map_err(|f| report(&f))?;
-                let work =
-                    balance(system, state, database, model, commands, recorder, messages).map_err(|f| report(&f))?;
+                initial::displacements(system, state, &[]).map_err(report)?;
+                let work = balance(system, state, &plan.statics, recorder, messages).map_err(report)?;
                 total.iterations += work.iterations;
                 total.factorisations += work.factorisations;
                 if recorder.stopped {
@@ -203,14 +305,9 @@ fn analyse(
             }
             Ok(total)
         }
-        Analysis::Kinematic { end, outputs } => {
-            move_along(system, state, &times(outputs, state.t, end)?, end, recorder)
-        }
-        Analysis::Dynamic { end, outputs } | Analysis::Auto { end, outputs } => {
-            let times = times(outputs, state.t, end)?;
-            let (chosen, note) = integrator_options(database, model, options, commands)?;
-            messages.extend(note);
-            integrate(system, state, end, &times, &chosen, recorder).map_err(|f| report(&f))
+        Analysis::Kinematic { end, .. } => move_along(system, state, &plan.times, end, recorder),
+        Analysis::Dynamic { end, .. } | Analysis::Auto { end, .. } => {
+            integrate(system, state, end, &plan.times, &plan.integrator, recorder).map_err(report)
         }
     }
 }
@@ -233,16 +330,13 @@ fn times(outputs: Outputs, start: f64, end: f64) -> Result<Vec<f64>, Vec<Diagnos
 fn balance(
     system: &mut System,
     state: &mut SystemState,
-    database: &Database,
-    model: ObjectId,
-    commands: &[(String, String, String)],
+    options: &StaticOptions,
     recorder: &mut Recorder<'_>,
     messages: &mut Vec<String>,
 ) -> Result<Statistics, Failure> {
-    let options = static_options(database, model, commands);
     let moving = state.v.clone();
     system.set_statics(true);
-    let found = equilibrium(system, state, &options, recorder);
+    let found = equilibrium(system, state, options, recorder);
     if let Ok(report) = &found {
         recorder.record(system, state);
         let text = [

@@ -31,7 +31,8 @@ fn imports(name: &str, own: &BTreeSet<String>) -> BTreeSet<String> {
     dependencies
         .lines()
         .filter_map(|l| l.split(['.', '=', ' ']).next())
-        .filter(|n| own.contains(*n))
+        // The room `parquet` is named after the library it wraps.
+        .filter(|n| own.contains(*n) && *n != name)
         .map(ToString::to_string)
         .collect()
 }

@@ -53,9 +53,10 @@ pub(crate) const PALETTE: [RGBColor; 8] = [
 pub(crate) const FONT: &str = "flexure";
 pub(crate) const INK: RGBColor = RGBColor(40, 40, 40);
 const GRID: RGBColor = RGBColor(226, 226, 226);
-/// Series and panels drawn at most; more would be unreadable.
-const MOST_SERIES: usize = 12;
+/// Panels drawn at most; more would be unreadable.
 const MOST_PANELS: usize = 4;
+/// Series drawn when none is named.
+const DEFAULT_SERIES: usize = 4;
 
 pub(crate) type Drawn<E> = Result<(), DrawingAreaErrorKind<E>>;
 
@@ -162,7 +163,7 @@ fn choose<'t>(table: &'t Table, names: &[String]) -> Result<Vec<&'t Series>, Plo
         return if columns.is_empty() {
             Err(PlotError("the results have no series beside time".into()))
         } else {
-            Ok(columns.iter().take(MOST_SERIES).collect())
+            Ok(columns.iter().filter(|s| s.unit == columns[0].unit).take(DEFAULT_SERIES).collect())
         };
     }
     let mut chosen = Vec::new();
@@ -249,12 +250,17 @@ fn draw_panel<B: DrawingBackend>(
         .y_labels(7)
         .y_desc(y_title);
     if last {
-        mesh.x_desc("time (s)");
+        let unit = if time.unit.is_empty() { "s" } else { time.unit.as_str() };
+        mesh.x_desc(format!("time ({unit})"));
     }
     mesh.draw()?;
     for (index, series) in panel.iter().enumerate() {
         let colour = PALETTE[index % PALETTE.len()];
         let points = time.values.iter().copied().zip(series.values.iter().copied()).filter(|p| p.1.is_finite());
+        if time.values.len() == 1 {
+            // One output, as of a static solution, is a point.
+            chart.draw_series(points.clone().map(|p| Circle::new(p, 4 * scale, colour.filled())))?;
+        }
         chart.draw_series(LineSeries::new(points, colour.stroke_width(2 * scale)))?.label(series.name.as_str()).legend(
             move |(x, y)| PathElement::new([(x, y), (x + 22 * scale as i32, y)], colour.stroke_width(2 * scale)),
         );
@@ -322,7 +328,7 @@ mod tests {
     #[test]
     fn a_chart_names_its_series_and_units() {
         let svg = String::from_utf8(plot(&swing(), &request(&[], Format::Svg)).unwrap()).unwrap();
-        for text in ["swing", "TIP.X", "TIP.Z", "mm", "beam.FX (newton)", "time (s)"] {
+        for text in ["swing", "TIP.X", "TIP.Z", "mm", "time (second)"] {
             assert!(svg.contains(text), "{text} is missing");
         }
     }

@@ -7,10 +7,15 @@ use flexure::{Analysis, Outputs, SimulationOptions};
 use crate::Outcome;
 use crate::arguments::Simulate;
 use crate::commands::{complain, open, print, session};
-use crate::output::Target;
+use crate::output::{Target, extension};
 use crate::progress::Watcher;
 
 pub(super) fn execute(simulate: &Simulate) -> Outcome {
+    let known = ["", "csv", "parquet"];
+    if !known.contains(&extension(&simulate.out).as_str()) && !simulate.out.is_dir() {
+        complain(format_args!("results are written as .csv or .parquet, not as {}", simulate.out.display()));
+        return Outcome::Usage;
+    }
     let mut session = session();
     session.simulate_nothing(true);
     session.record_everything(simulate.all);
