@@ -31,6 +31,11 @@ impl Lines {
         Lines { lines: vec![format!("{statement}/{id}")] }
     }
 
+    /// Adds the arguments of another one.
+    pub fn append(&mut self, other: Lines) {
+        self.lines.extend(other.lines);
+    }
+
     pub fn flag(&mut self, word: &str) {
         self.lines.push(format!("{LEAD}{word}"));
     }

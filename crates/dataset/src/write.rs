@@ -1,10 +1,10 @@
 //! A model as the text of a dataset: sections in View's order, objects by number.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use model::{Database, ObjectId};
 use schema::UnitSystem;
-use text::{Diagnostic, Severity};
+use text::Diagnostic;
 
 use crate::{
     Digits,
@@ -46,25 +46,36 @@ pub struct Written {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Writes a model in the units in force. Objects without a number get one first, for good. An error
-/// means that no dataset could stand for the model; numbers given by then stay.
+/// Writes a model in the units in force. Objects without a number get one first, for good. What a
+/// dataset cannot say becomes a comment and a warning, and so does what refers to it. An error means
+/// that no dataset could stand for the model; numbers given by then stay.
 pub fn write(database: &mut Database, model: ObjectId, options: Options<'_>) -> Result<Written, Vec<Diagnostic>> {
     number_objects(database, model)?;
-    let mut writer = Writer {
-        database,
-        options,
-        lines: Vec::new(),
-        warnings: Vec::new(),
-        errors: Vec::new(),
-        skipped: BTreeMap::new(),
-    };
-    writer.model(model);
-    if writer.errors.is_empty() {
-        let mut text = writer.lines.join("\n");
-        text.push('\n');
-        Ok(Written { text, warnings: writer.warnings })
-    } else {
-        Err(writer.errors)
+    let mut unwritten = HashSet::new();
+    loop {
+        let known = unwritten.len();
+        let mut writer = Writer {
+            database,
+            options,
+            lines: Vec::new(),
+            warnings: Vec::new(),
+            errors: Vec::new(),
+            troubles: Vec::new(),
+            unwritten,
+            skipped: BTreeMap::new(),
+        };
+        writer.model(model);
+        if !writer.errors.is_empty() {
+            return Err(writer.errors);
+        }
+        // An object may refer to one that turned out later to have no place: once more, until
+        // nothing is left that refers to what is not there. Few objects are ever concerned.
+        if writer.unwritten.len() == known {
+            let mut text = writer.lines.join("\n");
+            text.push('\n');
+            return Ok(Written { text, warnings: writer.warnings });
+        }
+        unwritten = writer.unwritten;
     }
 }
 
@@ -76,14 +87,25 @@ const SECTIONS: &[(&str, &[&str])] = &[
 ];
 const SETTINGS: &[&str] = &["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"];
 
+/// Whether the writer knows a statement.
+fn known(statement: &str) -> bool {
+    ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV"].contains(&statement)
+        || SETTINGS.contains(&statement)
+        || SECTIONS.iter().any(|(_, kinds)| kinds.contains(&statement))
+}
+
 pub(crate) struct Writer<'a> {
     pub database: &'a Database,
     pub options: Options<'a>,
     lines: Vec<String>,
     warnings: Vec<Diagnostic>,
     errors: Vec<Diagnostic>,
-    /// Shapes without a statement, counted by their word.
-    skipped: BTreeMap<&'static str, usize>,
+    /// Why the statement under construction cannot stand.
+    troubles: Vec<Diagnostic>,
+    /// Objects whose statement is only a comment.
+    unwritten: HashSet<ObjectId>,
+    /// Kinds of objects without a statement, counted by their word, and why that is.
+    skipped: BTreeMap<(&'static str, &'static str), usize>,
 }
 
 impl Writer<'_> {
@@ -175,12 +197,14 @@ impl Writer<'_> {
         }
         for (title, kinds) in SECTIONS {
             let groups: Vec<_> = kinds.iter().map(|kind| self.by_number(model, |s, _| s == *kind)).collect();
-            // Measures count as requests in the schema, but View keeps them to itself.
-            let objects: Vec<_> = groups
+            // Measures count as requests in the schema, but have no number.
+            let (objects, measures): (Vec<_>, Vec<_>) = groups
                 .into_iter()
                 .flatten()
-                .filter(|id| self.database.object(*id).class.cell_index("adams_id").is_some())
-                .collect();
+                .partition(|id| self.database.object(*id).class.cell_index("adams_id").is_some());
+            for id in measures {
+                self.skip(id, "measures are not part of a dataset");
+            }
             if !objects.is_empty() {
                 self.banner(title);
                 for id in objects {
@@ -217,28 +241,28 @@ impl Writer<'_> {
 
     /// Names what a dataset has a statement for and the writer has none.
     fn rest(&mut self, model: ObjectId) {
-        let known = |statement: &str| {
-            ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV"].contains(&statement)
-                || SETTINGS.contains(&statement)
-                || SECTIONS.iter().any(|(_, kinds)| kinds.contains(&statement))
-        };
         for id in self.by_number(model, |s, _| !known(s)) {
             let name = self.database.full_name(id);
             let word = self.database.object(id).class.word;
             self.warn("dataset/not-written", format!("{word} `{name}` is not written yet"));
         }
-        if !self.skipped.is_empty() {
-            let kinds: Vec<_> = self.skipped.iter().map(|(word, count)| format!("{count} {word}")).collect();
-            let message = format!("shapes without a statement, which change no result: {}", kinds.join(", "));
-            self.lines.push("!".to_string());
-            self.lines.push(format!("! not written: {message}"));
-            self.warnings.push(Diagnostic::new(Severity::Note, "dataset/shapes-not-written", message));
+        for ((word, why), count) in std::mem::take(&mut self.skipped) {
+            self.warn("dataset/kind-not-written", format!("{count} {word}: {why}"));
         }
     }
 
-    /// One object: its comments, its name, its statement; inactive objects as comments.
+    /// One object: its comments, its name, its statement; inactive objects, and what cannot be said,
+    /// as comments.
     fn object(&mut self, id: ObjectId) {
-        let Some(lines) = statements::statement(self, id) else { return };
+        let statement = statements::statement(self, id);
+        let troubles = std::mem::take(&mut self.troubles);
+        if !troubles.is_empty() {
+            self.unwritten.insert(id);
+        }
+        for trouble in &troubles {
+            self.warn(trouble.code, trouble.message.clone());
+        }
+        let Some(lines) = statement else { return };
         self.lines.push("!".to_string());
         let name = self.name_in_section(id);
         let comments = statements::texts(self.database, id, "comments");
@@ -249,7 +273,7 @@ impl Writer<'_> {
 
     fn commented(&mut self, id: ObjectId, lines: Vec<String>) {
         let inactive = self.database.text(id, "active").is_some_and(|word| word == "off");
-        let mark = if inactive { "!" } else { "" };
+        let mark = if inactive || self.unwritten.contains(&id) { "!" } else { "" };
         self.lines.extend(lines.into_iter().map(|line| format!("{mark}{line}")));
     }
 
@@ -270,9 +294,9 @@ impl Writer<'_> {
 
     // ---- for the statements ----
 
-    /// A shape that only View draws.
-    pub fn skip_shape(&mut self, id: ObjectId) {
-        *self.skipped.entry(self.database.object(id).class.word).or_default() += 1;
+    /// An object of a kind that has no statement; each kind is reported once.
+    pub fn skip(&mut self, id: ObjectId, why: &'static str) {
+        *self.skipped.entry((self.database.object(id).class.word, why)).or_default() += 1;
     }
 
     /// Something of the model that is not in the dataset.
@@ -282,21 +306,47 @@ impl Writer<'_> {
         self.warnings.push(Diagnostic::warning(code, message));
     }
 
-    /// Something without which the dataset would be wrong.
+    /// Something without which the statement under construction would be wrong: it becomes a comment.
     pub fn fail(&mut self, code: &'static str, message: String) {
-        self.errors.push(Diagnostic::error(code, message));
+        if !self.troubles.iter().any(|t| t.message == message) {
+            self.troubles.push(Diagnostic::warning(code, message));
+        }
     }
 
-    /// Number of an object in the dataset; reported if it has none.
-    pub fn id_of(&mut self, user: ObjectId, id: ObjectId) -> i64 {
-        let number = self.database.get(id).and_then(|_| self.database.integer(id, "adams_id")).filter(|n| *n > 0);
-        number.unwrap_or_else(|| {
-            let other = if self.database.get(id).is_some() { self.database.full_name(id) } else { "?".to_string() };
-            let message =
-                format!("`{}` refers to `{other}`, which has no place in a dataset", self.database.full_name(user));
-            self.fail("dataset/no-statement", message);
-            0
-        })
+    /// What `part` builds, unless something failed in it: then the messages of what failed.
+    pub fn attempt<T>(&mut self, part: impl FnOnce(&mut Self) -> T) -> (T, Vec<Diagnostic>) {
+        let earlier = std::mem::take(&mut self.troubles);
+        let built = part(self);
+        (built, std::mem::replace(&mut self.troubles, earlier))
+    }
+
+    /// Reports an argument that is left out while the rest of its statement stands.
+    pub fn leave_out(&mut self, argument: &str, troubles: Vec<Diagnostic>) {
+        for trouble in troubles {
+            self.warn(trouble.code, format!("{}: `{argument}`", trouble.message));
+        }
+    }
+
+    /// Number of an object in the dataset; its name and a failure if it has none.
+    pub fn id_of(&mut self, user: ObjectId, id: ObjectId) -> String {
+        let Some(object) = self.database.get(id) else {
+            let name = self.database.full_name(user);
+            self.fail("dataset/no-statement", format!("`{name}` refers to an object that was deleted"));
+            return "?".to_string();
+        };
+        let number = self.database.integer(id, "adams_id").filter(|n| *n > 0);
+        let place = object.class.statement.is_some_and(known) && (user == id || !self.unwritten.contains(&id));
+        if let Some(number) = number.filter(|_| place) {
+            return number.to_string();
+        }
+        let (name, other) = (self.database.full_name(user), self.database.full_name(id));
+        let message = if self.unwritten.contains(&id) {
+            format!("`{name}` refers to `{other}`, which is not written")
+        } else {
+            format!("`{name}` refers to `{other}`, which has no place in a dataset")
+        };
+        self.fail("dataset/no-statement", message);
+        other
     }
 }
 

@@ -2,7 +2,7 @@
 
 use model::{ObjectId, Value};
 
-use super::{number_field, reference, texts};
+use super::{number_field, texts};
 use crate::{
     layout::Lines,
     number::{number, turn},
@@ -32,11 +32,11 @@ pub(super) fn body(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     for (name, keyword) in [("vx", "VX"), ("vy", "VY"), ("vz", "VZ")] {
         number_field(w, id, name, keyword, lines);
     }
-    reference(w, id, "vm", "VM", lines);
+    optional(w, id, w.database.reference(id, "vm"), "VM", lines);
     for (name, keyword) in [("wx", "WX"), ("wy", "WY"), ("wz", "WZ")] {
         number_field(w, id, name, keyword, lines);
     }
-    reference(w, id, "wm", "WM", lines);
+    optional(w, id, w.database.reference(id, "wm"), "WM", lines);
     exact(w, id, lines);
     mass(w, id, lines);
     if w.database.flag(id, "planar") == Some(true) {
@@ -59,6 +59,21 @@ fn exact(w: &Writer<'_>, id: ObjectId, lines: &mut Lines) {
     }
 }
 
+/// A marker of a body; if it has no number, the body is written without the argument.
+fn optional(w: &mut Writer<'_>, id: ObjectId, marker: Option<ObjectId>, keyword: &str, lines: &mut Lines) -> bool {
+    let Some(marker) = marker else { return false };
+    let (number, troubles) = w.attempt(|w| w.id_of(id, marker));
+    let stands = troubles.is_empty();
+    if stands {
+        lines.argument(keyword, &number);
+    }
+    w.leave_out(&format!("{keyword} = {number}"), troubles);
+    stands
+}
+
+/// Products of inertia below this part of the largest inertia come from rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The marker called `cm`, which View takes if none is named.
 fn marker_cm(w: &Writer<'_>, id: ObjectId) -> Option<ObjectId> {
     w.database.child(Some(id), "cm", "marker")
@@ -80,16 +95,20 @@ fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         return;
     };
     let digits = w.options.digits;
+    let mut at_centre = Lines::default();
+    let center = mass.center.or_else(|| marker_cm(w, id));
+    if !optional(w, id, center, "CM", &mut at_centre) && mass.mass != 0.0 {
+        let name = w.database.full_name(id);
+        let message = format!("the mass of `{name}`, which has no centre-of-mass marker: `MASS = {}`", mass.mass);
+        w.warn("dataset/no-centre-of-mass", message);
+        return;
+    }
     lines.argument("MASS", &number(mass.mass, digits));
-    if let Some(center) = mass.center.or_else(|| marker_cm(w, id)) {
-        let center = w.id_of(id, center).to_string();
-        lines.argument("CM", &center);
-    }
-    if let Some(marker) = mass.inertia_marker {
-        let marker = w.id_of(id, marker).to_string();
-        lines.argument("IM", &marker);
-    }
+    lines.append(at_centre);
+    optional(w, id, mass.inertia_marker, "IM", lines);
     let [moments @ .., xy, xz, yz] = mass.inertia;
+    let largest = moments.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let [xy, xz, yz] = [xy, xz, yz].map(|x| if x.abs() < ROUNDING * largest { 0.0 } else { x });
     if mass.inertia.iter().any(|x| *x != 0.0) {
         let mut values = moments.to_vec();
         if [xy, xz, yz] != [0.0; 3] {
@@ -102,7 +121,7 @@ fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
 pub(super) fn marker(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     let parent = w.database.object(id).parent;
     if let Some(body) = parent.filter(|p| w.database.object(*p).class.is("body")) {
-        let number = w.id_of(id, body).to_string();
+        let number = w.id_of(id, body);
         let point_mass = w.database.object(body).class.statement == Some("POINT_MASS");
         lines.argument(if point_mass { "POINT_MASS" } else { "PART" }, &number);
     } else {

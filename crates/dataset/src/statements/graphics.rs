@@ -23,7 +23,7 @@ const SHAPES: &[(&str, &str, &[Argument])] = &[
             ("side_count_for_body", "SIDES", Some(20.0)),
             ("radius", "RADIUS", None),
             ("segment_count_for_ends", "SEG", Some(20.0)),
-            ("angle_extent", "ANGLE", Some(360.0)),
+            ("angle_extent", "RANGLE", Some(360.0)),
         ],
     ),
     (
@@ -35,7 +35,7 @@ const SHAPES: &[(&str, &str, &[Argument])] = &[
             ("top_radius", "TOP", None),
             ("bottom_radius", "BOTTOM", None),
             ("segment_count_for_ends", "SEG", Some(20.0)),
-            ("angle_extent", "ANGLE", Some(360.0)),
+            ("angle_extent", "RANGLE", Some(360.0)),
         ],
     ),
     (
@@ -46,30 +46,45 @@ const SHAPES: &[(&str, &str, &[Argument])] = &[
     ("circle", "CIRCLE", &[("radius", "RADIUS", None), ("segment_count", "SEG", Some(20.0))]),
 ];
 
+/// Why there is no statement for a class of shapes.
+fn without_statement(class: &str) -> &'static str {
+    if moves(class) {
+        "graphics that are not written yet, which change no result"
+    } else {
+        "shapes without a statement, which change no result"
+    }
+}
+
 pub(super) fn graphics(w: &mut Writer<'_>, id: ObjectId, mut lines: Lines) -> Option<Lines> {
     let class = w.database.object(id).class.id;
     match class {
         "force_graphic" => {
             let fields = ["force_element_name", "joint_name", "jprim_name"];
-            let element = fields.iter().find_map(|field| w.database.reference(id, field))?;
-            let statement = w.database.object(element).class.statement?;
+            let Some(element) = fields.iter().find_map(|field| w.database.reference(id, field)) else {
+                w.skip(id, "graphics without a force");
+                return None;
+            };
+            let number = w.id_of(id, element);
+            let statement = w.database.get(element).and_then(|e| e.class.statement).unwrap_or("?");
             lines.flag("FORCE");
             lines.argument("ETYPE", statement);
-            let number = w.id_of(id, element).to_string();
             lines.argument("EID", &number);
             reference(w, id, "applied_at_marker_name", "EMARKER", &mut lines);
         }
         "block" => {
             lines.flag("BOX");
             reference(w, id, "corner_marker", "CORNER", &mut lines);
-            let corner = w.database.numbers(id, "diag_corner_coords")?;
+            let Some(corner) = w.database.numbers(id, "diag_corner_coords") else {
+                w.skip(id, "blocks without `diag_corner_coords`");
+                return None;
+            };
             for (keyword, x) in ["X", "Y", "Z"].iter().zip(corner) {
                 lines.argument(keyword, &crate::number(x, w.options.digits));
             }
         }
         _ => {
             let Some((_, word, arguments)) = SHAPES.iter().find(|(shape, ..)| *shape == class) else {
-                w.skip_shape(id);
+                w.skip(id, without_statement(class));
                 return None;
             };
             lines.flag(word);

@@ -13,7 +13,7 @@ pub(crate) use graphics::moves;
 pub(crate) use gravity::gravity;
 pub(crate) use settings::settings;
 
-use model::{Database, ObjectId, Piece, Value};
+use model::{Database, FunctionText, ObjectId, Piece, Value};
 
 use crate::{layout::Lines, number::number, write::Writer};
 
@@ -48,37 +48,85 @@ fn type_of_freedom(w: &Writer<'_>, id: ObjectId, lines: &mut Lines) {
 /// `, I = 5` where the reference is given.
 fn reference(w: &mut Writer<'_>, id: ObjectId, field: &str, keyword: &str, lines: &mut Lines) {
     if let Some(object) = w.database.reference(id, field) {
-        let number = w.id_of(id, object).to_string();
+        let number = w.id_of(id, object);
         lines.argument(keyword, &number);
     }
 }
 
 /// Function text with numbers in place of names; empty if there is none. A design variable becomes
-/// its value.
+/// its value. Names that mean no object are failures: the solver knows numbers only.
 fn function_text(w: &mut Writer<'_>, id: ObjectId, field: &str) -> String {
-    let Some(Value::Function(function)) = w.database.value(id, field) else {
-        return w.database.text(id, field).unwrap_or_default().to_string();
+    let function = match w.database.value(id, field) {
+        Some(Value::Function(function)) => function.clone(),
+        _ => FunctionText::plain(w.database.text(id, field).unwrap_or_default()),
     };
-    let function = function.clone();
     let mut text = String::new();
+    let mut before = None;
     for piece in &function.pieces {
         match piece {
-            Piece::Text(t) => text.push_str(t),
-            Piece::Object(object) => {
-                let value = w.database.get(*object).and_then(|o| {
-                    let variable = o.class.is("variable");
-                    variable.then(|| w.database.number(*object, "real_value"))?
-                });
-                match value {
-                    // A negative value keeps its sign to itself: `2*(-3)`.
-                    Some(x) if x < 0.0 => text.extend(["(", &number(x, w.options.digits), ")"]),
-                    Some(x) => text.push_str(&number(x, w.options.digits)),
-                    None => text.push_str(&w.id_of(id, *object).to_string()),
+            Piece::Text(t) => {
+                for name in unbound_names(t, before) {
+                    let user = w.database.full_name(id);
+                    w.fail("dataset/unknown-name", format!("`{user}` refers to `{name}`, which is no object"));
                 }
+                text.push_str(t);
+                before = t.chars().last();
+            }
+            Piece::Object(object) => {
+                let value = bound(w, id, *object);
+                text.push_str(&value);
+                before = value.chars().last();
             }
         }
     }
     text.trim().to_string()
+}
+
+/// What stands in a function for an object: the value of a variable, the number of anything else.
+fn bound(w: &mut Writer<'_>, id: ObjectId, object: ObjectId) -> String {
+    if w.database.get(object).is_some_and(|o| o.class.is("variable")) {
+        let value = ["real_value", "integer_value"].iter().find_map(|field| w.database.number(object, field));
+        if let Some(x) = value {
+            let written = number(x, w.options.digits);
+            // A negative value keeps its sign to itself: `2*(-3)`.
+            return if x < 0.0 { format!("({written})") } else { written };
+        }
+        // A variable may name an object in place of a number.
+        let named = w.database.value(object, "object_value").map(Value::objects).unwrap_or_default();
+        if let [named] = named.as_slice() {
+            return w.id_of(id, *named);
+        }
+    }
+    w.id_of(id, object)
+}
+
+/// Names in the plain text of a function, which are neither functions nor constants of the solver;
+/// `before` is what stands before the text.
+fn unbound_names(text: &str, mut before: Option<char>) -> Vec<&str> {
+    const WORDS: &[&str] = &["time", "pi", "dtor", "rtod", "mode"];
+    let part_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '"');
+    let mut names = Vec::new();
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let mut quoted = false;
+        let ends = |c: char| {
+            quoted ^= c == '"';
+            !quoted && !part_of_name(c)
+        };
+        let length = rest.find(ends).unwrap_or(rest.len()).max(c.len_utf8());
+        let (word, after) = rest.split_at(length);
+        // What goes on behind an object is a component of it, which has no number.
+        let behind = before.is_some_and(part_of_name) && c == '.';
+        let begins = |c: char| c.is_alphabetic() || matches!(c, '_' | '"');
+        let dotted = c == '.' && word[1..].starts_with(begins);
+        let call = || after.trim_start().starts_with('(') && !word.contains('.');
+        if behind || dotted || (begins(c) && !call() && !WORDS.iter().any(|w| w.eq_ignore_ascii_case(word))) {
+            names.push(word);
+        }
+        before = word.chars().last();
+        rest = after;
+    }
+    names
 }
 
 /// `USER(1, 2)` from the constants handed to a subroutine.
@@ -136,5 +184,25 @@ fn number_field(w: &Writer<'_>, id: ObjectId, name: &str, keyword: &str, lines: 
     let Some(field) = class.cell_index(name).map(|index| class.field(index)) else { return };
     if let Some(values) = numbers(w, id, field) {
         lines.list(keyword, &values);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unbound_names;
+
+    #[test]
+    fn names_are_told_from_numbers_constants_and_calls() {
+        for (text, names) in [
+            ("30.0d * time + .5*PI - 1.E-3*STEP (TIME, 0, 0, 1D, 1)**2", &[][..]),
+            ("VARVAL(.m.x)*30/PI", &[".m.x"]),
+            ("VARVAL(x_1) + IF(TIME-1: .m.\"a b\", 0, 1)", &["x_1", ".m.\"a b\""]),
+            ("-DTOR*.2/RTOD", &[]),
+            ("USER(1, 2.5e+3)", &[]),
+        ] {
+            assert_eq!(unbound_names(text, None), names, "{text}");
+        }
+        assert_eq!(unbound_names(".F1*2", Some('7')), [".F1"]);
+        assert!(unbound_names("*.5", Some('7')).is_empty());
     }
 }

@@ -48,7 +48,7 @@ fn argument(w: &mut Writer<'_>, id: ObjectId, field: &Field, lines: &mut Lines) 
         Kind::Function => function_or_user(w, id, lines),
         Kind::Object(..) => match w.database.value(id, field.name).map(Value::objects) {
             Some(objects) if objects.len() > 1 => {
-                let ids: Vec<_> = objects.iter().map(|o| w.id_of(id, *o).to_string()).collect();
+                let ids: Vec<_> = objects.iter().map(|o| w.id_of(id, *o)).collect();
                 lines.list(keyword, &ids);
             }
             _ => reference(w, id, field.name, keyword, lines),

@@ -48,17 +48,25 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         let name = w.database.full_name(id);
         w.warn("dataset/argument-not-written", format!("`variable_name` of `{name}` is not written yet"));
     }
-    let mut earlier = false;
+    let (mut earlier, mut left_out) = (false, false);
     for (field, keyword) in
         [("f1", "F1"), ("f2", "F2"), ("f3", "F3"), ("f4", "F4"), ("f5", "F5"), ("f6", "F6"), ("f7", "F7"), ("f8", "F8")]
     {
-        let text = function_text(w, id, field);
-        if !text.is_empty() {
+        let (text, troubles) = w.attempt(|w| function_text(w, id, field));
+        if !troubles.is_empty() {
+            // The other components are as good without this one.
+            w.leave_out(&format!("{keyword} = {text}"), troubles);
+            left_out = true;
+        } else if !text.is_empty() {
             if earlier {
                 lines.end_function();
             }
             lines.function(keyword, &text);
             earlier = true;
         }
+    }
+    if left_out && !earlier && !of_markers {
+        let name = w.database.full_name(id);
+        w.fail("dataset/empty-request", format!("`{name}` has no component that can be written"));
     }
 }

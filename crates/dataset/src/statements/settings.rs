@@ -107,12 +107,24 @@ pub(crate) fn settings(w: &mut Writer<'_>, statement: &str, object: Option<Objec
     let mut lines = Lines::new(statement, None);
     for (field, keyword, how) in table {
         let value = object.and_then(|id| w.database.value(id, field)).cloned();
+        if *field == "error_tolerance" && value.as_ref().and_then(Value::as_number) == Some(default_error(w, object)) {
+            continue;
+        }
         argument(w, object, (field, keyword, *how), value.as_ref(), &mut lines);
     }
     if let Some(id) = object {
         unwritten(w, id, table);
     }
     Some(lines)
+}
+
+/// The local error an integrator allows unless told otherwise; exports leave it out even where the
+/// model states it.
+fn default_error(w: &Writer<'_>, object: Option<ObjectId>) -> f64 {
+    match object.and_then(|id| w.database.text(id, "integrator_type")) {
+        Some("hht" | "newmark") => 1e-5,
+        _ => 1e-3,
+    }
 }
 
 fn argument(
