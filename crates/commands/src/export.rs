@@ -6,17 +6,25 @@ use model::{Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
 use schema::{Class, Dimension, Field, Group, Kind, Use};
 
 use crate::{
-    evaluation, number, place,
+    evaluation,
+    kept::Kept,
+    number, place,
     values::{function_string, text_of},
 };
 
-/// The commands that build a model.
+/// The commands that build a model, without those that its session has skipped.
 pub fn write_model(database: &Database, model: ObjectId) -> String {
+    write(database, model, &[])
+}
+
+/// The commands that build a model, with skipped ones as they were typed.
+pub(crate) fn write(database: &Database, model: ObjectId, kept: &[&Kept]) -> String {
     let mut writer = Writer { database, out: String::new(), frame: None, order: indexmap::IndexSet::new() };
     writer.header(model);
     writer.materials(model);
     writer.bodies(model);
     writer.elements(model);
+    writer.kept(model, kept);
     writer.late(model);
     writer.footer(model);
     writer.out
@@ -79,18 +87,8 @@ impl Writer<'_> {
         let units = self.database.units();
         self.line("! CMD Version:2");
         self.banner("Default Units for Model");
+        self.units(settings.units);
         let word = |name: &str, word: &str| (name.to_string(), word.to_string());
-        let mut arguments = vec![
-            word("length", units.length.name),
-            word("angle", if units.angle.name == "degrees" { "deg" } else { units.angle.name }),
-            word("force", units.force.name),
-            word("mass", units.mass.name),
-            word("time", if units.time.name == "second" { "sec" } else { units.time.name }),
-        ];
-        if let Some(factor) = units.consistency_factor {
-            arguments.push(word("units_consistency_factor", &number::real(factor)));
-        }
-        self.command("defaults units", &arguments);
         self.command(
             "defaults units",
             &[word("coordinate_system_type", "cartesian"), word("orientation_type", "body313")],
@@ -116,6 +114,23 @@ impl Writer<'_> {
         self.command("model create", &arguments);
         self.line("view erase");
         self.line("!");
+    }
+
+    /// The command that sets a system of units.
+    fn units(&mut self, id: UnitsId) {
+        let units = self.database.unit_system(id);
+        let word = |name: &str, word: &str| (name.to_string(), word.to_string());
+        let mut arguments = vec![
+            word("length", units.length.name),
+            word("angle", if units.angle.name == "degrees" { "deg" } else { units.angle.name }),
+            word("force", units.force.name),
+            word("mass", units.mass.name),
+            word("time", if units.time.name == "second" { "sec" } else { units.time.name }),
+        ];
+        if let Some(factor) = units.consistency_factor {
+            arguments.push(word("units_consistency_factor", &number::real(factor)));
+        }
+        self.command("defaults units", &arguments);
     }
 
     fn materials(&mut self, model: ObjectId) {
@@ -211,6 +226,37 @@ impl Writer<'_> {
                     self.object(child);
                 }
             }
+        }
+    }
+
+    /// Commands that were skipped: verbatim, with the units and the frame they were typed in.
+    fn kept(&mut self, model: ObjectId, kept: &[&Kept]) {
+        if kept.is_empty() {
+            return;
+        }
+        self.banner("Commands that are kept but not executed");
+        let ground = self.database.child(Some(model), "ground", "ground");
+        let (own_frame, own_units) = (self.frame, self.database.settings().units);
+        let mut units = own_units;
+        for command in kept {
+            let frame =
+                command.frame.filter(|f| self.database.get(*f).is_some() && self.database.model_of(*f) == Some(model));
+            let frame = frame.or(ground);
+            if let Some(frame) = frame {
+                self.default_frame(frame);
+            }
+            if command.units != units {
+                units = command.units;
+                self.units(units);
+            }
+            self.line(&command.text);
+            self.line("!");
+        }
+        if units != own_units {
+            self.units(own_units);
+        }
+        if let Some(frame) = own_frame {
+            self.default_frame(frame);
         }
     }
 

@@ -16,6 +16,7 @@ use crate::{
     blocks::{Blocks, Control},
     host::{Host, NoHost},
     journal::Journal,
+    kept::Kept,
     macros::Macros,
     names::Names,
     program::Program,
@@ -91,6 +92,8 @@ pub struct Interpreter {
     pub(crate) unmade: std::collections::HashSet<String>,
     /// Names of parts and models below which skipped commands would have read solids, in lower case.
     pub(crate) unmade_solids: Vec<String>,
+    /// Skipped commands that are pieces of models, in the order in which they were read.
+    pub(crate) kept: Vec<Kept>,
     pub(crate) undo_blocks: usize,
     pub(crate) suppress_undo: bool,
     /// Whether the statement or block opener at the outermost level of a program was refused.
@@ -128,6 +131,7 @@ impl Interpreter {
             trace: Vec::new(),
             unmade: std::collections::HashSet::new(),
             unmade_solids: Vec::new(),
+            kept: Vec::new(),
             undo_blocks: 0,
             suppress_undo: false,
             unit_refused: false,

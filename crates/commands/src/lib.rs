@@ -17,6 +17,7 @@ mod function_text;
 mod host;
 mod interpreter;
 mod journal;
+mod kept;
 mod known;
 mod lookup;
 mod macros;

@@ -28,6 +28,7 @@ impl Interpreter {
         match outcome {
             Ok(flow) => {
                 let flow = if flow == Flow::Skipped {
+                    self.keep(program, index);
                     Flow::Next
                 } else {
                     self.report.executed += 1;
@@ -45,6 +46,7 @@ impl Interpreter {
                 self.trace_warnings(before);
                 if let Some(path) = self.consequence(program, index, &errors) {
                     self.report.skipped += 1;
+                    self.keep(program, index);
                     self.complain(vec![skipped_too(&path, errors)]);
                     return Flow::Next;
                 }

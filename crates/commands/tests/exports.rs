@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use flexure_commands::{Interpreter, OnError, Report, write_model};
+use flexure_commands::{Interpreter, OnError, Report};
 use proptest::prelude::*;
 
 fn command_files(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -25,7 +25,7 @@ fn session() -> Interpreter {
 }
 
 fn export(interpreter: &Interpreter) -> String {
-    interpreter.database.current("model").map(|m| write_model(&interpreter.database, m)).unwrap_or_default()
+    interpreter.database.current("model").map(|m| interpreter.write_model(m)).unwrap_or_default()
 }
 
 /// Skipped commands other than `view erase`, which every export has.

@@ -303,7 +303,7 @@ impl Session {
         match extension.as_str() {
             "adm" => write_data_set(&mut self.interpreter.database, model, path),
             "cmd" => {
-                let text = commands::write_model(&self.interpreter.database, model);
+                let text = self.interpreter.write_model(model);
                 std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
             }
             other => Err(vec![

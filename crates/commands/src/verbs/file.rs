@@ -7,7 +7,6 @@ use super::{VerbEntry, entry};
 use crate::{
     Interpreter,
     call::Call,
-    export,
     interpreter::{Flow, cannot_read},
 };
 
@@ -62,7 +61,7 @@ fn command_write(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     if path.extension().is_none() {
         path.set_extension("cmd");
     }
-    let text = export::write_model(&interpreter.database, model);
+    let text = interpreter.write_model(model);
     std::fs::write(&path, text).map_err(|e| {
         vec![
             Diagnostic::error("file/cannot-write", format!("cannot write `{}`: {e}", path.display()))
