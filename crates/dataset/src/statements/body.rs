@@ -73,6 +73,9 @@ fn optional(w: &mut Writer<'_>, id: ObjectId, marker: Option<ObjectId>, keyword:
 
 /// Products of inertia below this part of the largest inertia come from rounding.
 const ROUNDING: f64 = 1e-12;
+/// The same where the inertia follows from shapes: axes that exports call principal are so to some
+/// 1E-9 radians, and they write no products there.
+const PRINCIPAL: f64 = 1e-9;
 
 /// The marker called `cm`, which View takes if none is named.
 fn marker_cm(w: &Writer<'_>, id: ObjectId) -> Option<ObjectId> {
@@ -89,6 +92,7 @@ fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
             inertia: [of("ixx"), of("iyy"), of("izz"), of("ixy"), of("izx"), of("iyz")],
         }
     });
+    let rounding = if given.is_some() { ROUNDING } else { PRINCIPAL };
     let Some(mass) = given.or_else(|| w.options.mass.and_then(|of| of(w.database, id))) else {
         let name = w.database.full_name(id);
         w.warn("dataset/no-mass", format!("the mass of `{name}` is not given"));
@@ -108,7 +112,7 @@ fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     optional(w, id, mass.inertia_marker, "IM", lines);
     let [moments @ .., xy, xz, yz] = mass.inertia;
     let largest = moments.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let [xy, xz, yz] = [xy, xz, yz].map(|x| if x.abs() < ROUNDING * largest { 0.0 } else { x });
+    let [xy, xz, yz] = [xy, xz, yz].map(|x| if x.abs() < rounding * largest { 0.0 } else { x });
     if mass.inertia.iter().any(|x| *x != 0.0) {
         let mut values = moments.to_vec();
         if [xy, xz, yz] != [0.0; 3] {
