@@ -197,8 +197,9 @@ impl Interpreter {
         let (call, mut binding) = Call::bind(program, command, keyword_span, span, arguments, rules, creating);
         if !errors.is_empty() {
             // What the parser could not read may be an argument whose kind says more.
-            self.explain_broken(&call, &mut errors);
-            errors.append(&mut binding);
+            if !self.explain_broken(&call, &mut errors) {
+                errors.append(&mut binding);
+            }
             return Err(errors);
         }
         if binding.is_empty() {
@@ -212,17 +213,23 @@ impl Interpreter {
         Err(binding)
     }
 
-    /// Adds how many values are wanted where a list of numbers could not be read.
-    fn explain_broken(&mut self, call: &Call, errors: &mut Errors) {
+    /// Says how many values are wanted where a list of numbers could not be read; what else is wrong
+    /// from there on follows from it. False where that is not what is wrong.
+    fn explain_broken(&mut self, call: &Call, errors: &mut Errors) -> bool {
+        let mut explained = false;
         for given in &call.given {
             let field = call.parameters[given.parameter].field;
             if field.count.least > 1
-                && let Err(mut more) = self.read_value(call, &field, given.argument, None)
+                && let Err(more) = self.read_value(call, &field, given.argument, None)
+                && let Some(count) = more.into_iter().find(|e| e.code == "command/wrong-count")
             {
-                more.append(errors);
-                *errors = more;
+                let from = given.argument.value_span.start;
+                errors.retain(|e| e.primary.as_ref().is_some_and(|l| l.span.start < from));
+                errors.insert(0, count);
+                explained = true;
             }
         }
+        explained
     }
 
     fn command(

@@ -108,7 +108,8 @@ impl Reader<'_> {
         }
         if !errors.is_empty() {
             // A list of words where numbers are wanted: the number of values says more.
-            if field.count.most != usize::MAX && field.count.least > 1 && values.is_empty() {
+            let words = argument.values.iter().all(|i| !matches!(i.kind, ItemKind::Expression(_)));
+            if field.count.most != usize::MAX && field.count.least > 1 && values.is_empty() && words {
                 errors.insert(0, Self::count_error(field, argument, count));
             }
             return Err(errors);
@@ -130,6 +131,7 @@ impl Reader<'_> {
                 return Err(vec![error]);
             }
         }
+        self.warn_outside(field, &values, argument);
         let value = match (field.kind, values.as_slice()) {
             (Kind::Integer, [one]) if field.count.most == 1 => Value::Integer(*one as i64),
             (Kind::Real, [one]) if field.count.most == 1 => Value::Number(*one),
@@ -144,6 +146,21 @@ impl Reader<'_> {
             (true, _) => Source::Elements(elements),
         };
         Ok(Draft { value, source, reads })
+    }
+
+    /// Warns of numbers that the field has no use for; they are stored, and refused by a simulation.
+    fn warn_outside(&mut self, field: &Field, values: &[f64], argument: &Argument) {
+        for (i, x) in values.iter().enumerate().filter(|(_, x)| !field.limit.allows(**x)) {
+            let item = if argument.values.len() == values.len() { argument.values.get(i) } else { None };
+            let span = item.map_or(argument.value_span, |item| item.span);
+            let message = format!("`{}` is {x}; it must be {}", field.name, field.limit);
+            let mut warning =
+                Diagnostic::warning("value/outside-limit", message).at(span, format!("not {}", field.limit));
+            if !field.doc.is_empty() {
+                warning = warning.note(format!("`{}`: {}", field.name, field.doc));
+            }
+            self.warnings.push(warning);
+        }
     }
 
     fn count_error(field: &Field, argument: &Argument, found: usize) -> Diagnostic {

@@ -53,7 +53,7 @@ fn refused(interpreter: &mut Interpreter, text: &str, code: &str, adams: &str) {
 #[test]
 fn the_example_of_the_help_page_renames_and_sets_everything() {
     let mut i = fixture();
-    good(
+    let report = good(
         &mut i,
         "force modify element_like beam &\n beam_name = beam1 &\n new_beam_name = beam2 &\n adams_id = 1 &\n ixx = 4 &
          iyy = 2 &\n izz = 3 &\n y_shear_area_ratio = 0.9 &\n z_shear_area_ratio = 0.8 &\n youngs_modulus = 0.4&
@@ -65,6 +65,40 @@ fn the_example_of_the_help_page_renames_and_sets_everything() {
         [("ixx", 4.0), ("youngs_modulus", 0.4), ("damping_ratio", 2.0), ("area_of_cross_section", 1.5)]
     {
         assert_eq!(number(&i, ".m.beam2", field), value, "{field}");
+    }
+    // Its shear ratios are below what note 8 of the page defines them as: area over shear area.
+    let warnings: Vec<_> = report.diagnostics.iter().map(|d| (d.code, d.message.as_str())).collect();
+    let wanted = [
+        "`y_shear_area_ratio` is 0.9; it must be 0 or at least 1",
+        "`z_shear_area_ratio` is 0.8; it must be 0 or at least 1",
+    ];
+    assert_eq!(warnings, wanted.map(|w| ("value/outside-limit", w)));
+    let span = report.diagnostics[0].primary.as_ref().unwrap().span;
+    assert_eq!(&i.sources.text(span.file)[span.range()], "0.9");
+    assert!(report.diagnostics[0].notes.iter().any(|n| n.contains("area over shear area")));
+    assert_eq!(number(&i, ".m.beam2", "y_shear_area_ratio"), 0.9);
+}
+
+#[test]
+fn numbers_outside_the_limits_of_a_field_get_a_warning() {
+    let mut i = fixture();
+    let mut warnings = |value: &str| {
+        let report = good(&mut i, &format!("force modify element_like beam beam_name = .m.beam1 {value}"));
+        report.diagnostics.iter().map(|d| (d.code, d.message.clone())).collect::<Vec<_>>()
+    };
+    for (value, wanted) in [
+        ("length = 0", "`length` is 0; it must be greater than 0"),
+        ("length = -1", "`length` is -1; it must be greater than 0"),
+        ("length = (2-3)", "`length` is -1; it must be greater than 0"),
+        ("ixx = -2", "`ixx` is -2; it must be at least 0"),
+        ("z_shear_area_ratio = -1", "`z_shear_area_ratio` is -1; it must be 0 or at least 1"),
+    ] {
+        assert_eq!(warnings(value), [("value/outside-limit", wanted.to_string())], "{value}");
+    }
+    for value in
+        ["length = 1e-9", "ixx = 0", "y_shear_area_ratio = 0", "y_shear_area_ratio = 1", "z_shear_area_ratio = 1.2"]
+    {
+        assert_eq!(warnings(value), [], "{value}");
     }
 }
 
@@ -146,6 +180,7 @@ fn the_placeholder_of_the_help_page_says_how_many_numbers_are_wanted() {
     let text = "force modify element_like beam beam_name = beam1 matrix_of_damping_terms = a 6x6 matrix";
     let report = i.execute(text);
     assert_eq!(report.failed, 1);
+    assert_eq!(report.diagnostics.len(), 1, "{:#?}", report.diagnostics);
     let error = report.diagnostics.iter().find(|d| d.code == "command/wrong-count").unwrap();
     assert!(error.message.contains("`matrix_of_damping_terms` wants 21 numbers"), "{}", error.message);
     let place = error.primary.as_ref().unwrap().span;

@@ -73,12 +73,40 @@ pub enum Default {
     Generated,
 }
 
-/// Bounds of a number, checked when it is lowered or verified, not when it is typed.
+/// Bounds of a number. A number outside is stored with a warning when it is typed, and refused where
+/// it is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     None,
     Above(f64),
     AtLeast(f64),
+    /// Exactly zero, or not below a number.
+    ZeroOrAtLeast(f64),
+}
+
+impl Limit {
+    /// Whether a number is within the bounds.
+    #[must_use]
+    pub fn allows(self, x: f64) -> bool {
+        match self {
+            Limit::None => true,
+            Limit::Above(least) => x > least,
+            Limit::AtLeast(least) => x >= least,
+            Limit::ZeroOrAtLeast(least) => x == 0.0 || x >= least,
+        }
+    }
+}
+
+impl std::fmt::Display for Limit {
+    /// What a number must be, to go behind "it must be".
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Limit::None => f.write_str("a number"),
+            Limit::Above(least) => write!(f, "greater than {least}"),
+            Limit::AtLeast(least) => write!(f, "at least {least}"),
+            Limit::ZeroOrAtLeast(least) => write!(f, "0 or at least {least}"),
+        }
+    }
 }
 
 /// In which of the two commands of a group the field is a parameter.
@@ -231,6 +259,12 @@ impl Field {
 
     pub const fn at_least(mut self, limit: f64) -> Field {
         self.limit = Limit::AtLeast(limit);
+        self
+    }
+
+    /// Zero says that the effect is absent; other numbers are at least the limit.
+    pub const fn zero_or_at_least(mut self, limit: f64) -> Field {
+        self.limit = Limit::ZeroOrAtLeast(limit);
         self
     }
 

@@ -34,12 +34,12 @@ pub const CLASS: Class = Class {
                 Field::real("y_shear_area_ratio", Dimension::NONE)
                     .default(0.0)
                     .keyword("ASY")
-                    .at_least(0.0)
+                    .zero_or_at_least(1.0)
                     .doc("shear factor along y: area over shear area, at least 1, or 0 for no shear deflection"),
                 Field::real("z_shear_area_ratio", Dimension::NONE)
                     .default(0.0)
                     .keyword("ASZ")
-                    .at_least(0.0)
+                    .zero_or_at_least(1.0)
                     .doc("shear factor along z: area over shear area, at least 1, or 0 for no shear deflection"),
                 Field::real("youngs_modulus", Dimension::PRESSURE)
                     .default(1.0)
