@@ -23,6 +23,9 @@ pub(crate) enum Attribute {
     Field(usize),
 }
 
+/// Fewer letters are a misspelled child rather than the beginning of a field name.
+const SHORTEST_BEGINNING: usize = 3;
+
 /// The attribute a name means: exact names first, then unique beginnings of field names.
 pub(crate) fn attribute(database: &Database, object: ObjectId, name: &str) -> Option<Attribute> {
     let class = database.get(object)?.class;
@@ -39,7 +42,8 @@ pub(crate) fn attribute(database: &Database, object: ObjectId, name: &str) -> Op
         return Some(Attribute::Field(index));
     }
     let lower = name.to_ascii_lowercase();
-    let mut matches = class.fields().enumerate().filter(|(_, f)| !lower.is_empty() && f.name.starts_with(&lower));
+    let mut matches =
+        class.fields().enumerate().filter(|(_, f)| lower.len() >= SHORTEST_BEGINNING && f.name.starts_with(&lower));
     let (first, found) = matches.next()?;
     matches.all(|(_, other)| other.name == found.name).then_some(Attribute::Field(first))
 }
