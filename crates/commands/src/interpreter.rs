@@ -117,8 +117,13 @@ impl Interpreter {
             registry.classes.push(&crate::macros::LIBRARY);
         }
         let tree = CommandTree::new(&registry);
+        let mut database = Database::default();
+        // The library that macros keep their own variables in is there from the start.
+        if database.create(&crate::macros::LIBRARY, None, "mdi").is_ok() {
+            database.flush_history();
+        }
         Interpreter {
-            database: Database::default(),
+            database,
             sources: Sources::default(),
             on_error: OnError::default(),
             journal: None,
