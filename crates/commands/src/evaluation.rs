@@ -24,13 +24,52 @@ pub fn evaluate(
     owner: Option<ObjectId>,
 ) -> Result<Outcome, Vec<Diagnostic>> {
     let scope = Scope { owner, ..Scope::new(database, sources) };
-    match expressions::bind(expression, &scope)? {
+    in_scope(expression, &scope).map_err(|errors| name_what_was_read(expression, database, errors))
+}
+
+fn in_scope(expression: &command::Expression, scope: &Scope) -> Result<Outcome, Vec<Diagnostic>> {
+    match expressions::bind(expression, scope)? {
         Bound::Value(e) => Ok(Outcome { value: e.value, dimension: e.dimension, kept: None, reads: Vec::new() }),
         Bound::Expression(bound) => {
-            let e = expressions::evaluate(&bound, &scope)
+            let e = expressions::evaluate(&bound, scope)
                 .map_err(|e| vec![e.or_at(expression.span, "in this expression")])?;
             Ok(Outcome { value: e.value, dimension: e.dimension, kept: Some(bound), reads: e.reads })
         }
+    }
+}
+
+/// Where an object was wanted, the beginning of an attribute may have been meant as the name of one.
+fn name_what_was_read(
+    expression: &command::Expression,
+    database: &Database,
+    mut errors: Vec<Diagnostic>,
+) -> Vec<Diagnostic> {
+    for error in errors.iter_mut().filter(|e| e.code == "expression/not-an-object") {
+        let mut names = Vec::new();
+        collect_names(expression, &mut names);
+        for (object, typed, full) in names.iter().filter_map(|n| expressions::read_as_attribute(database, n)) {
+            let owner = database.full_name(object);
+            let note = format!("`{owner}` has no child `{typed}`: that was read as its attribute `{full}`");
+            error.notes.push(note);
+        }
+    }
+    errors
+}
+
+fn collect_names<'e>(expression: &'e command::Expression, names: &mut Vec<&'e str>) {
+    let mut all = |parts: &'e [command::Expression]| parts.iter().for_each(|p| collect_names(p, names));
+    match &expression.kind {
+        ExpressionKind::Name(name) => names.push(name),
+        ExpressionKind::Call { arguments, .. } => all(arguments),
+        ExpressionKind::Array(items) | ExpressionKind::Tuple(items) | ExpressionKind::Row(items) => all(items),
+        ExpressionKind::Index(inner, indices) => {
+            all(indices);
+            collect_names(inner, names);
+        }
+        ExpressionKind::Attribute(inner, _) | ExpressionKind::Unary(_, inner) => collect_names(inner, names),
+        ExpressionKind::Binary(_, a, b) => [a, b].into_iter().for_each(|p| collect_names(p, names)),
+        ExpressionKind::Conditional(a, b, c) => [a, b, c].into_iter().for_each(|p| collect_names(p, names)),
+        ExpressionKind::Number { .. } | ExpressionKind::Text(_) | ExpressionKind::Broken => {}
     }
 }
 

@@ -188,6 +188,17 @@ fn the_placeholder_of_the_help_page_says_how_many_numbers_are_wanted() {
 }
 
 #[test]
+fn an_abbreviated_attribute_is_named_where_an_object_is_wanted() {
+    let mut i = fixture();
+    let text = "marker modify marker_name = .m.p1.marker_1 orientation = (ori_along_axis(.m.ground.marker_2.ori, .m.p1, \"x\"))";
+    let report = i.execute(text);
+    let [error] = report.diagnostics.as_slice() else { panic!("{:#?}", report.diagnostics) };
+    assert_eq!(error.code, "expression/not-an-object");
+    let note = "`.m.ground.marker_2` has no child `ori`: that was read as its attribute `orientation`";
+    assert_eq!(error.notes, [note]);
+}
+
+#[test]
 fn values_keep_their_meaning_when_units_change() {
     let mut i = fixture();
     good(&mut i, "defaults units length = meter");

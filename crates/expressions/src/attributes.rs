@@ -6,7 +6,7 @@ use schema::{Dimension, Kind, Quantity};
 
 use crate::{
     evaluate::Evaluator,
-    names::nearest,
+    names::{Steps, nearest, reach},
     scope::{Outcome, problem},
 };
 
@@ -67,6 +67,16 @@ pub(crate) fn full_name(database: &Database, object: ObjectId, name: &str) -> Op
             }
         }
     })
+}
+
+/// Where a dotted name was read as an object and the beginning of an attribute: that object, what
+/// was typed, and the attribute.
+pub fn read_as_attribute(database: &Database, name: &str) -> Option<(ObjectId, String, String)> {
+    let steps = Steps::of(name);
+    let reached = reach(database, &steps).ok()?;
+    let typed = steps.names.get(reached.steps)?;
+    let full = full_name(database, reached.object, typed)?;
+    (!full.eq_ignore_ascii_case(typed)).then(|| (reached.object, typed.clone(), full))
 }
 
 /// The attribute name nearest to a misspelled one.

@@ -22,6 +22,7 @@ mod functions;
 mod cells;
 mod print;
 
+pub use attributes::read_as_attribute;
 pub use bind::{Bound, bind};
 pub use cells::{compute, convert_location, convert_orientation, recompute};
 pub use dimension::{is_rate_of_angle, radians_per_time};
