@@ -105,7 +105,7 @@ impl Engine {
         let from = self.left_state(database, model).map(|left| left.state.clone());
         let simulation =
             Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
-        let (run, state) = simulate::run(simulation, self.observer.as_mut())?;
+        let (run, state) = simulate::run(&simulation, self.observer.as_mut())?;
         self.left = Some(Left { model, revision: database.revision(), state });
         self.runs.push(run);
         Ok(())

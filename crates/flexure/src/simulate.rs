@@ -40,15 +40,15 @@ pub(crate) struct Prepared {
 
 /// Runs a simulation; returns the run and where it left the model.
 pub(crate) fn run(
-    simulation: Simulation<'_>,
+    simulation: &Simulation<'_>,
     observer: &mut dyn RunObserver,
 ) -> Result<(Run, SystemState), Vec<Diagnostic>> {
-    let Simulation { database, model, .. } = simulation;
+    let Simulation { database, model, .. } = *simulation;
     let prepared = prepare(database, model, simulation.from.clone(), simulation.record_all)?;
     let Prepared { lowered, mut state, mut messages, freedom } = prepared;
     let analysis = settle(simulation.options.analysis, freedom, &mut messages)?;
     // Whatever is wrong with the settings is said before results of an earlier run are touched.
-    let plan = Plan::new(&simulation, analysis, state.t, &mut messages)?;
+    let plan = Plan::new(simulation, analysis, state.t, &mut messages)?;
     let name = database.object(model).name.clone();
     let (short, title) = titles(analysis);
     let columns = lowered.outputs.columns();
