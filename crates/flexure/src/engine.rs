@@ -137,17 +137,22 @@ impl Engine {
     }
 }
 
-/// Writes a model as a solver dataset.
-pub(crate) fn write_data_set(database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
-    let text = dataset_text(database, model)?;
-    std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
+/// Writes a model as a solver dataset; returns what of the model is not in it.
+pub(crate) fn write_data_set(
+    database: &mut Database,
+    model: ObjectId,
+    path: &Path,
+) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+    let written = dataset_of(database, model)?;
+    std::fs::write(path, written.text).map_err(|e| vec![cannot_write(path, &e)])?;
+    Ok(written.warnings)
 }
 
 /// A model as a solver dataset; parts without mass of their own get that of their geometry.
-fn dataset_text(database: &mut Database, model: ObjectId) -> Result<String, Vec<Diagnostic>> {
+fn dataset_of(database: &mut Database, model: ObjectId) -> Result<dataset::Written, Vec<Diagnostic>> {
     let mass = |database: &Database, part: ObjectId| geometric_mass(database, part);
     let options = dataset::Options { mass: Some(&mass), ..dataset::Options::default() };
-    dataset::write(database, model, options).map(|written| written.text)
+    dataset::write(database, model, options)
 }
 
 /// Mass properties that a part gets from its shapes, in model units, about its centre-of-mass marker

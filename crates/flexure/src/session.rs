@@ -293,18 +293,19 @@ impl Session {
         total
     }
 
-    /// Writes the current model as `.cmd` or `.adm`.
+    /// Writes the current model as `.cmd` or `.adm`; returns what of the model the file does not hold.
     ///
     /// # Errors
-    /// If the format is unknown, something cannot be written in it, or the file cannot be written.
-    pub fn write(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
+    /// If the format is unknown, no file could stand for the model, or it cannot be written.
+    pub fn write(&mut self, path: &Path) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
         let model = self.model_or_error()?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         match extension.as_str() {
             "adm" => write_data_set(&mut self.interpreter.database, model, path),
             "cmd" => {
                 let text = self.interpreter.write_model(model);
-                std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])
+                std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])?;
+                Ok(Vec::new())
             }
             other => Err(vec![
                 Diagnostic::error("file/unknown-format", format!("a model cannot be written as `.{other}`"))
@@ -338,7 +339,10 @@ impl Host for EngineHost {
     }
 
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        write_data_set(database, model, path)
+        let warnings = write_data_set(database, model, path)?;
+        let mut engine = lock(&self.0);
+        warnings.iter().for_each(|w| engine.observer.message(&text::one_line(&Sources::default(), w)));
+        Ok(())
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {

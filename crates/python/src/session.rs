@@ -239,9 +239,12 @@ impl Session {
         self.session().redo()
     }
 
-    fn write(&mut self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let written = self.session().write(&path);
-        written.map_err(|diagnostics| errors::raise(py, self.session(), &diagnostics))
+    /// Writes the model; returns the warnings about what the file does not hold.
+    fn write<'py>(&mut self, py: Python<'py>, path: PathBuf) -> PyResult<Bound<'py, PyList>> {
+        match self.session().write(&path) {
+            Ok(warnings) => errors::to_list(py, self.session(), &warnings),
+            Err(diagnostics) => Err(errors::raise(py, self.session(), &diagnostics)),
+        }
     }
 }
 

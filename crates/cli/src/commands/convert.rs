@@ -12,7 +12,8 @@ pub(super) fn execute(convert: &Convert) -> Outcome {
         return Outcome::Findings;
     }
     match session.write(&convert.output) {
-        Ok(()) => {
+        Ok(warnings) => {
+            print(&session, &warnings);
             println!("{}", convert.output.display());
             if sound { Outcome::Fine } else { Outcome::Findings }
         }
