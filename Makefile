@@ -25,8 +25,6 @@ run: build wheel
 
 ## All tests, Rust and Python.
 test: wheel
-	$(CARGO) fmt --all --check
-	$(CARGO) clippy --workspace --all-targets --quiet -- -D warnings
 	$(CARGO) test --workspace --quiet
 	$(BIN)/python -m pytest -q python/tests
 
@@ -42,6 +40,7 @@ wheel: $(BIN)/python
 	$(BIN)/maturin build --release --quiet --out target/wheels
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps target/wheels/flexure-*.whl
 
+## Formatting and lints; continuous integration runs this too.
 lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
