@@ -5,7 +5,7 @@
 
 use std::io::{self, Read, Write};
 
-use crate::{Series, Table};
+use crate::Table;
 
 /// Writes a table row by row and flushes each row, so that an interrupted run keeps what it has.
 pub struct CsvStream<W: Write> {
@@ -63,11 +63,6 @@ pub fn read(input: impl Read) -> io::Result<Table> {
 
 fn not_a_number(text: &str, line: usize, column: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, format!("line {line}, column {column}: `{text}` is not a number"))
-}
-
-/// Reads a table whose first column is named `time`, whatever else it is.
-pub fn series_names(table: &Table) -> Vec<&str> {
-    table.series.iter().map(|s: &Series| s.name.as_str()).collect()
 }
 
 #[cfg(test)]
