@@ -13,7 +13,7 @@ use crate::{
 };
 
 pub const TABLE: &[Function] = &[
-    function("DB_ANCESTOR", 2, 2, |a| {
+    function("DB_ANCESTOR", "object, type", "nearest object of a type above an object", |a| {
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         let mut next = a.database().object(object).parent;
         while let Some(parent) = next {
@@ -24,8 +24,8 @@ pub const TABLE: &[Function] = &[
         }
         Ok(Value::Nothing)
     }),
-    function("DB_CHILDREN", 2, 2, |a| below(a, usize::MAX)),
-    function("DB_COUNT", 2, 2, |a| {
+    function("DB_CHILDREN", "object, type", "all objects of a type below an object", |a| below(a, usize::MAX)),
+    function("DB_COUNT", "object, field", "number of values in a field", |a| {
         let (object, name) = (a.object(0)?, a.text(1)?);
         let value = a.evaluator.attribute(object, &name)?;
         Ok(count(match value {
@@ -36,74 +36,83 @@ pub const TABLE: &[Function] = &[
             _ => 1,
         }))
     }),
-    function("DB_DEFAULT", 2, 2, |a| {
+    function("DB_DEFAULT", "defaults, type", "current default object of a type", |a| {
         let wanted = a.text(1)?.to_ascii_lowercase();
         Ok(current(a.database(), &wanted).map_or(Value::Nothing, Value::Object))
     }),
-    function("DB_DEFAULT_NAME", 2, 2, |a| {
+    function("DB_DEFAULT_NAME", "defaults, type", "full name of the current default object of a type", |a| {
         let wanted = a.text(1)?.to_ascii_lowercase();
         let found = current(a.database(), &wanted);
         Ok(Value::Text(found.map_or_else(String::new, |o| a.database().full_name(o))))
     }),
-    function("DB_DESCENDANTS", 4, 4, |a| {
-        let levels = a.count(3)?;
-        let Value::Objects(mut found) = below(a, if levels == 0 { usize::MAX } else { levels })? else {
-            return Ok(Value::Nothing);
-        };
-        let wanted = a.integer(2)?;
-        let database = a.database();
-        found.retain(|&o| {
-            let own = database.flag(o, "active").unwrap_or(true);
-            let parent = database.model_of(o).is_none_or(|m| database.flag(m, "active").unwrap_or(true));
-            match wanted {
-                -1 => !(own && parent),
-                1 => parent,
-                2 => own && parent,
-                _ => true,
-            }
-        });
-        Ok(Value::Objects(found))
-    }),
-    function("DB_EXISTS", 1, 1, |a| {
+    function(
+        "DB_DESCENDANTS",
+        "object, type, activity, levels",
+        "objects below an object, chosen by type, activity and depth",
+        |a| {
+            let levels = a.count(3)?;
+            let Value::Objects(mut found) = below(a, if levels == 0 { usize::MAX } else { levels })? else {
+                return Ok(Value::Nothing);
+            };
+            let wanted = a.integer(2)?;
+            let database = a.database();
+            found.retain(|&o| {
+                let own = database.flag(o, "active").unwrap_or(true);
+                let parent = database.model_of(o).is_none_or(|m| database.flag(m, "active").unwrap_or(true));
+                match wanted {
+                    -1 => !(own && parent),
+                    1 => parent,
+                    2 => own && parent,
+                    _ => true,
+                }
+            });
+            Ok(Value::Objects(found))
+        },
+    ),
+    function("DB_EXISTS", "name", "1 if an object or field has this name", |a| {
         Ok(flag(match &a.values[0] {
             Value::Text(name) => names_something(a.database(), name),
             other => other.as_object().is_some_and(|o| a.database().get(o).is_some()),
         }))
     }),
-    function("DB_FILTER_NAME", 2, 2, |a| {
+    function("DB_FILTER_NAME", "objects, pattern", "objects whose names fit a pattern", |a| {
         let (mut objects, pattern) = (a.objects(0)?, a.text(1)?);
         objects.retain(|o| a.database().get(*o).is_some_and(|o| matches(&pattern, &o.name)));
         Ok(Value::Objects(objects))
     }),
-    function("DB_FILTER_TYPE", 2, 2, |a| {
+    function("DB_FILTER_TYPE", "objects, type", "objects of a type", |a| {
         let (mut objects, wanted) = (a.objects(0)?, a.text(1)?);
         objects.retain(|o| is_type(a.database(), *o, &wanted));
         Ok(Value::Objects(objects))
     }),
-    function("DB_FULL_NAME_FROM_SHORT", 1, 1, |a| {
+    function("DB_FULL_NAME_FROM_SHORT", "name", "full name of the object that a short name means", |a| {
         let name = a.text(0)?;
         Ok(Value::Text(find_object(a.database(), &name).map_or_else(String::new, |o| a.database().full_name(o))))
     }),
-    function("DB_IMMEDIATE_CHILDREN", 2, 2, |a| below(a, 1)),
-    function("DB_OBJECT_COUNT", 1, 1, |a| Ok(count(a.objects(0)?.len()))),
-    function("DB_OBJ_EXISTS", 2, 2, |a| {
+    function("DB_IMMEDIATE_CHILDREN", "object, type", "objects of a type directly below an object", |a| below(a, 1)),
+    function("DB_OBJECT_COUNT", "objects", "number of objects", |a| Ok(count(a.objects(0)?.len()))),
+    function("DB_OBJ_EXISTS", "parent, name", "1 if an object has a child of this name", |a| {
         let (parent, name) = (a.object(0)?, a.text(1)?);
         Ok(flag(!a.database().children_named(Some(parent), &name).is_empty()))
     }),
-    function("DB_OF_CLASS", 2, 2, |a| {
+    function("DB_OF_CLASS", "object, type", "1 if an object is of a type or class", |a| {
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         Ok(flag(is_type(a.database(), object, &wanted)))
     }),
-    function("DB_OF_TYPE_EXISTS", 2, 2, |a| {
+    function("DB_OF_TYPE_EXISTS", "name, type", "1 if an object of this name and type exists", |a| {
         let (name, wanted) = (a.text(0)?, a.text(1)?);
         Ok(flag(of_type_exists(a.database(), &name, &wanted)))
     }),
-    function("DB_SHORT_NAME", 1, 1, |a| Ok(Value::Text(short_name(a.database(), a.object(0)?)))),
-    function("DB_TYPE", 1, 1, |a| Ok(Value::Text(type_word(a.database(), a.object(0)?)))),
-    function("EXPR_EXISTS", 1, 1, |a| Ok(flag(!expression_text(a)?.is_empty()))),
-    function("EXPR_STRING", 1, 1, |a| Ok(Value::Text(expression_text(a)?))),
-    function("PARAM_STRING", 1, 1, |a| Ok(Value::Text(parameter_text(a)?))),
-    momentary("UNIQUE_FULL_NAME", 1, 1, |a| {
+    function("DB_SHORT_NAME", "object", "shortest name that means this object alone", |a| {
+        Ok(Value::Text(short_name(a.database(), a.object(0)?)))
+    }),
+    function("DB_TYPE", "object", "type of an object", |a| Ok(Value::Text(type_word(a.database(), a.object(0)?)))),
+    function("EXPR_EXISTS", "field", "1 if a field holds an expression", |a| Ok(flag(!expression_text(a)?.is_empty()))),
+    function("EXPR_STRING", "field", "text of the expression in a field", |a| Ok(Value::Text(expression_text(a)?))),
+    function("PARAM_STRING", "field", "value of a field as a command file writes it", |a| {
+        Ok(Value::Text(parameter_text(a)?))
+    }),
+    momentary("UNIQUE_FULL_NAME", "type", "full name that is free for a new object of a type", |a| {
         let wanted = a.text(0)?.to_ascii_lowercase();
         let under_part = matches!(wanted.as_str(), "marker" | "point");
         let parent =
@@ -116,21 +125,21 @@ pub const TABLE: &[Function] = &[
             None => String::new(),
         }))
     }),
-    momentary("UNIQUE_ID", 1, 1, |a| {
+    momentary("UNIQUE_ID", "type", "identifier that is free for a new object of a type", |a| {
         let wanted = a.text(0)?;
         let database = a.database();
         let ids = database.ids().filter(|o| is_type(database, *o, &wanted));
         Ok(Value::Integer(ids.filter_map(|o| database.integer(o, "adams_id")).max().unwrap_or(0).saturating_add(1)))
     }),
-    momentary("UNIQUE_LOCAL_NAME", 2, 2, |a| {
+    momentary("UNIQUE_LOCAL_NAME", "parent, base", "name that is free below a parent", |a| {
         let (parent, base) = (a.object(0)?, a.text(1)?);
         Ok(Value::Text(unique_below(a.database(), Some(parent), &base)))
     }),
-    momentary("UNIQUE_NAME", 1, 1, |a| {
+    momentary("UNIQUE_NAME", "base", "name that no object has", |a| {
         let base = a.text(0)?;
         Ok(Value::Text(unique_anywhere(a.database(), &base)))
     }),
-    momentary("UNIQUE_NAME_IN_HIERARCHY", 1, 1, |a| {
+    momentary("UNIQUE_NAME_IN_HIERARCHY", "base", "name that no object has", |a| {
         let base = a.text(0)?;
         Ok(Value::Text(unique_anywhere(a.database(), &base)))
     }),

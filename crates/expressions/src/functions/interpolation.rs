@@ -6,9 +6,9 @@ use super::{Arguments, Function, column, function, real};
 use crate::scope::Outcome;
 
 pub const TABLE: &[Function] = &[
-    function("INTERP1", 3, 4, interp1),
-    function("POLYFIT", 3, 3, polyfit),
-    function("POLYVAL", 2, 2, |a| {
+    function("INTERP1", "x, y, at, [method]", "values of a curve between its points", interp1),
+    function("POLYFIT", "x, y, order", "coefficients of the polynomial of least squares, from power 0 up", polyfit),
+    function("POLYVAL", "coefficients, x", "value of a polynomial", |a| {
         let coefficients = a.numbers(0)?;
         let at = |x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
         match &a.values[1] {
@@ -16,7 +16,7 @@ pub const TABLE: &[Function] = &[
             _ => real(at(a.number(1)?)),
         }
     }),
-    function("VALAT", 3, 3, |a| {
+    function("VALAT", "x, y, at", "value of a polyline at x", |a| {
         let (x, y) = curve(a)?;
         let at = a.number(2)?;
         real(linear(&x, &y, at))

@@ -8,55 +8,59 @@ use crate::{print::number_text, scope::Outcome};
 
 pub const TABLE: &[Function] = &[
     super::EVAL,
-    function("ABS", 1, 1, |a| match a.values[0] {
+    function("ABS", "x", "absolute value", |a| match a.values[0] {
         Value::Integer(i) if i != i64::MIN => Ok(Value::Integer(i.abs())),
         _ => each(a, f64::abs),
     }),
-    function("ACOS", 1, 1, |a| arc(a, f64::acos)),
-    function("AINT", 1, 1, |a| each(a, f64::trunc)),
-    function("ANINT", 1, 1, |a| each(a, f64::round)),
-    function("ASIN", 1, 1, |a| arc(a, f64::asin)),
-    function("ATAN", 1, 1, |a| {
+    function("ACOS", "x", "arc cosine in the current angle unit", |a| arc(a, f64::acos)),
+    function("AINT", "x", "nearest whole number towards zero, as a real", |a| each(a, f64::trunc)),
+    function("ANINT", "x", "nearest whole number, as a real", |a| each(a, f64::round)),
+    function("ASIN", "x", "arc sine in the current angle unit", |a| arc(a, f64::asin)),
+    function("ATAN", "x", "arc tangent in the current angle unit", |a| {
         let unit = a.angle_unit();
         each(a, |x| x.atan() / unit)
     }),
-    function("ATAN2", 2, 2, |a| real(a.number(0)?.atan2(a.number(1)?) / a.angle_unit())),
-    function("CEIL", 1, 1, |a| each(a, f64::ceil)),
-    function("COS", 1, 1, |a| {
+    function("ATAN2", "y, x", "angle of the point x, y in the current angle unit", |a| {
+        real(a.number(0)?.atan2(a.number(1)?) / a.angle_unit())
+    }),
+    function("CEIL", "x", "smallest whole number not below x", |a| each(a, f64::ceil)),
+    function("COS", "angle", "cosine of an angle", |a| {
         let unit = a.angle_unit();
         each(a, |x| (x * unit).cos())
     }),
-    function("COSH", 1, 1, |a| each(a, f64::cosh)),
-    function("DIM", 2, 2, |a| real((a.number(0)? - a.number(1)?).max(0.0))),
-    function("EXP", 1, 1, |a| each(a, f64::exp)),
-    function("FLOOR", 1, 1, |a| each(a, f64::floor)),
-    function("IF", 4, 4, if_sign),
-    function("INT", 1, 1, |a| whole(a, f64::trunc)),
-    function("LOG", 1, 1, |a| positive(a, f64::ln)),
-    function("LOG10", 1, 1, |a| positive(a, f64::log10)),
-    function("MAG", 3, 3, |a| real(glam::DVec3::new(a.number(0)?, a.number(1)?, a.number(2)?).length())),
-    function("MOD", 2, 2, modulus),
-    function("NINT", 1, 1, |a| whole(a, f64::round)),
-    function("RTOI", 1, 1, |a| whole(a, f64::trunc)),
-    function("SIGN", 2, 2, |a| {
+    function("COSH", "x", "hyperbolic cosine", |a| each(a, f64::cosh)),
+    function("DIM", "x, y", "x - y, or zero where y is larger", |a| real((a.number(0)? - a.number(1)?).max(0.0))),
+    function("EXP", "x", "e to the power x", |a| each(a, f64::exp)),
+    function("FLOOR", "x", "largest whole number not above x", |a| each(a, f64::floor)),
+    function("IF", "x, negative, zero, positive", "one of three values, chosen by the sign of x", if_sign),
+    function("INT", "x", "whole part of x, as an integer", |a| whole(a, f64::trunc)),
+    function("LOG", "x", "natural logarithm", |a| positive(a, f64::ln)),
+    function("LOG10", "x", "logarithm to base 10", |a| positive(a, f64::log10)),
+    function("MAG", "x, y, z", "length of a vector", |a| {
+        real(glam::DVec3::new(a.number(0)?, a.number(1)?, a.number(2)?).length())
+    }),
+    function("MOD", "x, y", "remainder of x / y, with the sign of x", modulus),
+    function("NINT", "x", "nearest integer", |a| whole(a, f64::round)),
+    function("RTOI", "x", "real to integer, towards zero", |a| whole(a, f64::trunc)),
+    function("SIGN", "size, sign", "the size of one number with the sign of another", |a| {
         let (size, sign) = (a.number(0)?.abs(), a.number(1)?);
         real(if sign < 0.0 { -size } else { size })
     }),
-    function("SIN", 1, 1, |a| {
+    function("SIN", "angle", "sine of an angle", |a| {
         let unit = a.angle_unit();
         each(a, |x| (x * unit).sin())
     }),
-    function("SINH", 1, 1, |a| each(a, f64::sinh)),
-    function("SQRT", 1, 1, |a| {
+    function("SINH", "x", "hyperbolic sine", |a| each(a, f64::sinh)),
+    function("SQRT", "x", "square root", |a| {
         checked(a, |x| *x >= 0.0, "a negative number has no square root")?;
         each(a, f64::sqrt)
     }),
-    function("STEP", 5, 5, step),
-    function("TAN", 1, 1, |a| {
+    function("STEP", "x, x0, h0, x1, h1", "smooth cubic step from h0 at x0 to h1 at x1", step),
+    function("TAN", "angle", "tangent of an angle", |a| {
         let unit = a.angle_unit();
         each(a, |x| (x * unit).tan())
     }),
-    function("TANH", 1, 1, |a| each(a, f64::tanh)),
+    function("TANH", "x", "hyperbolic tangent", |a| each(a, f64::tanh)),
 ];
 
 fn each(a: &Arguments, f: impl Fn(f64) -> f64) -> Outcome<Value> {

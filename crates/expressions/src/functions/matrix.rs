@@ -7,21 +7,27 @@ use super::{Arguments, Function, column, function, location, modelling::sequence
 use crate::{arithmetic::flag, scope::Outcome};
 
 pub const TABLE: &[Function] = &[
-    function("ALIGN", 2, 2, |a| {
+    function("ALIGN", "values, start", "values shifted so that the first becomes a given number", |a| {
         let (values, start) = (a.array(0)?, a.number(1)?);
         let shift = values.values.first().map_or(0.0, |first| start - first);
         Ok(Value::Array(Array { values: values.values.iter().map(|x| x + shift).collect(), ..values }))
     }),
-    function("ALLM", 1, 1, |a| Ok(flag(a.numbers(0)?.iter().all(|x| *x != 0.0)))),
-    function("ANGLES", 2, 2, |a| angles(matrix3(a, 0)?, a)),
-    function("ANYM", 1, 1, |a| Ok(flag(a.numbers(0)?.iter().any(|x| *x != 0.0)))),
-    function("APPEND", 2, 2, append),
-    function("COLS", 1, 1, |a| Ok(count(a.array(0)?.columns))),
-    function("CONVERT_ANGLES", 2, 2, |a| angles(a.rotation(0)?, a)),
-    function("CROSS", 2, 2, |a| location(a.vector(0)?.cross(a.vector(1)?))),
-    function("DET", 1, 1, |a| real(determinant(square(a)?))),
-    function("DIFF", 1, 1, |a| column(a.numbers(0)?.windows(2).map(|w| w[1] - w[0]).collect())),
-    function("DMAT", 1, 1, |a| {
+    function("ALLM", "values", "1 if no element is zero", |a| Ok(flag(a.numbers(0)?.iter().all(|x| *x != 0.0)))),
+    function("ANGLES", "matrix, sequence", "angles of a rotation matrix in a sequence such as body313", |a| {
+        angles(matrix3(a, 0)?, a)
+    }),
+    function("ANYM", "values", "1 if any element is not zero", |a| Ok(flag(a.numbers(0)?.iter().any(|x| *x != 0.0)))),
+    function("APPEND", "matrix, matrix", "columns of one matrix beside those of another", append),
+    function("COLS", "matrix", "number of columns", |a| Ok(count(a.array(0)?.columns))),
+    function("CONVERT_ANGLES", "orientation, sequence", "body 3-1-3 angles changed to another sequence", |a| {
+        angles(a.rotation(0)?, a)
+    }),
+    function("CROSS", "vector, vector", "vector product", |a| location(a.vector(0)?.cross(a.vector(1)?))),
+    function("DET", "matrix", "determinant", |a| real(determinant(square(a)?))),
+    function("DIFF", "values", "differences of neighbours", |a| {
+        column(a.numbers(0)?.windows(2).map(|w| w[1] - w[0]).collect())
+    }),
+    function("DMAT", "values", "diagonal matrix", |a| {
         let values = a.numbers(0)?;
         let n = a_matrix_side(values.len(), a)?;
         let mut diagonal = vec![0.0; n * n];
@@ -30,46 +36,50 @@ pub const TABLE: &[Function] = &[
         }
         Ok(Value::Array(Array { rows: n, columns: n, values: diagonal }))
     }),
-    function("DOT", 2, 2, |a| {
+    function("DOT", "vector, vector", "scalar product", |a| {
         let (x, y) = (a.numbers(0)?, a.numbers(1)?);
         if x.len() != y.len() {
             return Err(a.error(format!("{} and {} numbers have no scalar product", x.len(), y.len())));
         }
         real(x.iter().zip(&y).map(|(x, y)| x * y).sum())
     }),
-    function("ELEMENT", 2, 2, |a| {
+    function("ELEMENT", "values, x", "1 if x is among the values", |a| {
         let x = a.number(1)?;
         Ok(flag(a.numbers(0)?.contains(&x)))
     }),
-    function("EXCLUDE", 2, 2, |a| {
+    function("EXCLUDE", "values, x", "the values without x", |a| {
         let x = a.number(1)?;
         column(a.numbers(0)?.into_iter().filter(|y| *y != x).collect())
     }),
-    function("FIRST", 1, 1, |a| real(a.numbers(0)?.first().copied().unwrap_or(0.0))),
-    function("FIRST_N", 2, 2, |a| {
+    function("FIRST", "values", "first element, zero if there is none", |a| {
+        real(a.numbers(0)?.first().copied().unwrap_or(0.0))
+    }),
+    function("FIRST_N", "values, n", "first n elements", |a| {
         let (values, n) = (a.numbers(0)?, a.count(1)?);
         column(values[..n.min(values.len())].to_vec())
     }),
-    function("INVERSE", 1, 1, |a| {
+    function("INVERSE", "matrix", "inverse of a square matrix", |a| {
         let matrix = square(a)?;
         inverse(matrix).map(Value::Array).ok_or_else(|| a.error("the matrix is singular"))
     }),
-    function("LAST", 1, 1, |a| real(a.numbers(0)?.last().copied().unwrap_or(0.0))),
-    function("LAST_N", 2, 2, |a| {
+    function("LAST", "values", "last element, zero if there is none", |a| {
+        real(a.numbers(0)?.last().copied().unwrap_or(0.0))
+    }),
+    function("LAST_N", "values, n", "last n elements", |a| {
         let (values, n) = (a.numbers(0)?, a.count(1)?);
         column(values[values.len() - n.min(values.len())..].to_vec())
     }),
-    function("MAX", 1, 1, |a| real(extreme(a, |x, y| x > y)?.1)),
-    function("MAXI", 1, 1, |a| Ok(count(extreme(a, |x, y| x > y)?.0 + 1))),
-    function("MEAN", 1, 1, |a| {
+    function("MAX", "values", "largest element", |a| real(extreme(a, |x, y| x > y)?.1)),
+    function("MAXI", "values", "position of the largest element", |a| Ok(count(extreme(a, |x, y| x > y)?.0 + 1))),
+    function("MEAN", "values", "arithmetic mean", |a| {
         let values = filled(a)?;
         real(values.iter().sum::<f64>() / values.len() as f64)
     }),
-    function("MIN", 1, 1, |a| real(extreme(a, |x, y| x < y)?.1)),
-    function("MINI", 1, 1, |a| Ok(count(extreme(a, |x, y| x < y)?.0 + 1))),
-    function("NORM", 1, 1, |a| real(largest_singular_value(&a.array(0)?))),
-    function("NORM2", 1, 1, |a| real(sum_of_squares(&a.numbers(0)?).sqrt())),
-    function("NORMALIZE", 1, 1, |a| {
+    function("MIN", "values", "smallest element", |a| real(extreme(a, |x, y| x < y)?.1)),
+    function("MINI", "values", "position of the smallest element", |a| Ok(count(extreme(a, |x, y| x < y)?.0 + 1))),
+    function("NORM", "matrix", "largest singular value", |a| real(largest_singular_value(&a.array(0)?))),
+    function("NORM2", "matrix", "square root of the sum of squares", |a| real(sum_of_squares(&a.numbers(0)?).sqrt())),
+    function("NORMALIZE", "vector", "vector of length 1", |a| {
         let array = a.array(0)?;
         let length = sum_of_squares(&array.values).sqrt();
         if length == 0.0 {
@@ -77,8 +87,8 @@ pub const TABLE: &[Function] = &[
         }
         Ok(Value::Array(Array { values: array.values.iter().map(|x| x / length).collect(), ..array }))
     }),
-    function("PROD", 1, 1, |a| real(a.numbers(0)?.iter().product())),
-    function("RESHAPE", 2, 2, |a| {
+    function("PROD", "values", "product of all elements", |a| real(a.numbers(0)?.iter().product())),
+    function("RESHAPE", "values, shape", "the same elements in another number of rows and columns", |a| {
         let (array, shape) = (a.array(0)?, a.numbers(1)?);
         match *shape.as_slice() {
             [r, c] if r >= 0.0 && c >= 0.0 && r * c == array.values.len() as f64 && r.fract() == 0.0 => {
@@ -87,16 +97,16 @@ pub const TABLE: &[Function] = &[
             _ => Err(a.error(format!("{} elements do not fill that shape", array.values.len()))),
         }
     }),
-    function("REVERSE", 1, 1, |a| {
+    function("REVERSE", "values", "elements in reverse order", |a| {
         let mut array = a.array(0)?;
         array.values.reverse();
         Ok(Value::Array(array))
     }),
-    function("RMS", 1, 1, |a| {
+    function("RMS", "values", "root of the mean of squares", |a| {
         let values = filled(a)?;
         real((sum_of_squares(&values) / values.len() as f64).sqrt())
     }),
-    function("ROWS", 1, 1, |a| {
+    function("ROWS", "matrix", "number of rows, or of elements of a list", |a| {
         Ok(count(match &a.values[0] {
             Value::Texts(list) => list.len(),
             Value::Objects(list) => list.len(),
@@ -105,25 +115,25 @@ pub const TABLE: &[Function] = &[
             _ => a.array(0)?.rows,
         }))
     }),
-    function("SERIES", 3, 3, |a| {
+    function("SERIES", "start, step, n", "n numbers at equal steps", |a| {
         let (start, step, n) = (a.number(0)?, a.number(1)?, a.count(2)?);
         column((0..n).map(|i| start + step * i as f64).collect())
     }),
-    function("SERIES2", 3, 3, |a| {
+    function("SERIES2", "start, end, n", "n numbers at equal steps between two ends", |a| {
         let (start, end, n) = (a.number(0)?, a.number(1)?, a.count(2)?);
         let step = if n > 1 { (end - start) / (n - 1) as f64 } else { 0.0 };
         column((0..n).map(|i| if i + 1 == n && n > 1 { end } else { start + step * i as f64 }).collect())
     }),
-    function("SHAPE", 1, 1, |a| {
+    function("SHAPE", "matrix", "numbers of rows and columns", |a| {
         let array = a.array(0)?;
         column(vec![array.rows as f64, array.columns as f64])
     }),
-    function("SORT", 2, 2, |a| {
+    function("SORT", "values, direction", "sorted elements; \"a\" ascending or \"d\" descending", |a| {
         let (mut array, down) = (a.array(0)?, descending(a)?);
         array.values.sort_by(|x, y| if down { y.total_cmp(x) } else { x.total_cmp(y) });
         Ok(Value::Array(array))
     }),
-    function("SORT_BY", 3, 3, |a| {
+    function("SORT_BY", "keys, values, direction", "elements in the order of their keys", |a| {
         let (keys, array) = (a.numbers(0)?, a.array(1)?);
         if keys.len() != array.values.len() {
             return Err(a.error("the two arrays must have the same length"));
@@ -133,35 +143,35 @@ pub const TABLE: &[Function] = &[
         let order = sorted_indices(&keys, down);
         Ok(Value::Array(Array { values: order.into_iter().map(|i| array.values[i]).collect(), ..array.clone() }))
     }),
-    function("SORT_INDEX", 2, 2, |a| {
+    function("SORT_INDEX", "values, direction", "positions of the elements in sorted order", |a| {
         let (values, down) = (a.numbers(0)?, descending(a)?);
         column(sorted_indices(&values, down).into_iter().map(|i| (i + 1) as f64).collect())
     }),
-    function("SSQ", 1, 1, |a| real(sum_of_squares(&a.numbers(0)?))),
-    function("STACK", 2, 2, stack),
-    function("SUM", 1, 1, |a| real(a.numbers(0)?.iter().sum())),
-    function("TILDE", 1, 1, |a| {
+    function("SSQ", "values", "sum of squares", |a| real(sum_of_squares(&a.numbers(0)?))),
+    function("STACK", "matrix, matrix", "rows of one matrix above those of another", stack),
+    function("SUM", "values", "sum of all elements", |a| real(a.numbers(0)?.iter().sum())),
+    function("TILDE", "vector", "matrix whose product with a vector is the vector product", |a| {
         let v = a.vector(0)?;
         let values = vec![0.0, v.z, -v.y, -v.z, 0.0, v.x, v.y, -v.x, 0.0];
         Ok(Value::Array(Array { rows: 3, columns: 3, values }))
     }),
-    function("TMAT", 2, 2, |a| {
+    function("TMAT", "angles, sequence", "rotation matrix of three angles", |a| {
         let (angles, sequence) = (a.vector(0)? * a.angle_unit(), sequence(a)?);
         let rotation = rotation_of(sequence, angles.to_array());
         Ok(Value::Array(Array { rows: 3, columns: 3, values: rotation.to_cols_array().to_vec() }))
     }),
-    function("TRANSPOSE", 1, 1, |a| Ok(Value::Array(transposed(&a.array(0)?)))),
-    function("UNIQUE", 1, 1, |a| {
+    function("TRANSPOSE", "matrix", "transposed matrix", |a| Ok(Value::Array(transposed(&a.array(0)?)))),
+    function("UNIQUE", "values", "sorted elements, each once", |a| {
         let mut values = a.numbers(0)?;
         values.sort_by(f64::total_cmp);
         values.dedup();
         column(values)
     }),
-    function("VAL", 2, 2, |a| {
+    function("VAL", "values, x", "element nearest to x", |a| {
         let values = filled(a)?;
         real(values[nearest(&values, a.number(1)?)])
     }),
-    function("VALI", 2, 2, |a| {
+    function("VALI", "values, x", "position of the element nearest to x", |a| {
         let values = filled(a)?;
         Ok(count(nearest(&values, a.number(1)?) + 1))
     }),

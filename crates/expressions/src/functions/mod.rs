@@ -34,6 +34,9 @@ pub(crate) use database::short_name;
 /// One function of the expression language.
 pub(crate) struct Function {
     pub name: &'static str,
+    /// Names of the arguments; those in brackets may be left out. The counts follow from it.
+    pub arguments: &'static str,
+    pub doc: &'static str,
     pub least: usize,
     pub most: usize,
     /// The value belongs to the moment (a file, the clock, a free name): it is never kept as an
@@ -44,32 +47,86 @@ pub(crate) struct Function {
 
 type Run = fn(&mut Arguments) -> Outcome<Value>;
 
-const fn function(name: &'static str, least: usize, most: usize, run: Run) -> Function {
-    Function { name, least, most, momentary: false, run }
+const fn function(name: &'static str, arguments: &'static str, doc: &'static str, run: Run) -> Function {
+    let (least, most) = counts(arguments);
+    Function { name, arguments, doc, least, most, momentary: false, run }
 }
 
-const fn momentary(name: &'static str, least: usize, most: usize, run: Run) -> Function {
-    Function { name, least, most, momentary: true, run }
+const fn momentary(name: &'static str, arguments: &'static str, doc: &'static str, run: Run) -> Function {
+    Function { momentary: true, ..function(name, arguments, doc, run) }
+}
+
+/// Least and largest number of arguments of a list such as `x, y, [method]`.
+const fn counts(arguments: &str) -> (usize, usize) {
+    let bytes = arguments.as_bytes();
+    if bytes.is_empty() {
+        return (0, 0);
+    }
+    let (mut i, mut all, mut optional) = (0, 1, 0);
+    while i < bytes.len() {
+        match bytes[i] {
+            b',' => all += 1,
+            b'[' => optional += 1,
+            _ => {}
+        }
+        i += 1;
+    }
+    (all - optional, all)
 }
 
 /// EVAL is resolved when an expression is bound; inside a kept tree it is its argument.
-pub(crate) const EVAL: Function = function("EVAL", 1, 1, |a| Ok(a.values[0].clone()));
+pub(crate) const EVAL: Function =
+    function("EVAL", "expression", "the present value; nothing is kept of the expression", |a| Ok(a.values[0].clone()));
 
-const GROUPS: &[&[Function]] = &[
-    location::TABLE,
-    orientation::TABLE,
-    modelling::TABLE,
-    math::TABLE,
-    matrix::TABLE,
-    interpolation::TABLE,
-    strings::TABLE,
-    database::TABLE,
-    units::TABLE,
-    system::TABLE,
+const GROUPS: &[(&str, &[Function])] = &[
+    ("location", location::TABLE),
+    ("orientation", orientation::TABLE),
+    ("modelling", modelling::TABLE),
+    ("math", math::TABLE),
+    ("matrix", matrix::TABLE),
+    ("interpolation", interpolation::TABLE),
+    ("string", strings::TABLE),
+    ("database", database::TABLE),
+    ("units", units::TABLE),
+    ("system", system::TABLE),
 ];
 
+/// What one design-time function is called and takes, for completion, help and the manual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FunctionInfo {
+    /// In capitals, as exports write it.
+    pub name: &'static str,
+    /// `location`, `math`, `string`, ...
+    pub group: &'static str,
+    /// Names of the arguments: `x, y, [method]`; those in brackets may be left out.
+    pub arguments: &'static str,
+    /// Least number of arguments.
+    pub least: usize,
+    /// Largest number of arguments.
+    pub most: usize,
+    /// What it gives, in one line.
+    pub doc: &'static str,
+    /// The value belongs to the moment; such a call is never kept as an expression.
+    pub momentary: bool,
+}
+
+/// All design-time functions, group by group.
+pub fn functions() -> impl Iterator<Item = FunctionInfo> {
+    GROUPS.iter().flat_map(|(group, table)| {
+        table.iter().map(|f| {
+            let Function { name, arguments, doc, least, most, momentary, .. } = *f;
+            FunctionInfo { name, group, arguments, least, most, doc, momentary }
+        })
+    })
+}
+
+/// Names of Adams' functions that are known and refused by name.
+pub fn refused_functions() -> &'static [&'static str] {
+    unsupported::NAMES
+}
+
 static BY_NAME: LazyLock<HashMap<&str, &Function>> =
-    LazyLock::new(|| GROUPS.iter().copied().flatten().map(|f| (f.name, f)).collect());
+    LazyLock::new(|| GROUPS.iter().flat_map(|(_, table)| *table).map(|f| (f.name, f)).collect());
 
 /// The function of a name, ignoring case.
 pub(crate) fn find(name: &str) -> Option<&'static Function> {

@@ -7,20 +7,38 @@ use super::{Arguments, Function, function, real};
 use crate::scope::Outcome;
 
 pub const TABLE: &[Function] = &[
-    function("DM", 1, 2, |a| real(displacement(a)?.length())),
-    function("DX", 1, 3, |a| component(a, 0)),
-    function("DY", 1, 3, |a| component(a, 1)),
-    function("DZ", 1, 3, |a| component(a, 2)),
-    function("AX", 1, 2, |a| turn(a, |r| (-r.col(2).y).atan2(r.col(2).z))),
-    function("AY", 1, 2, |a| turn(a, |r| r.col(2).x.atan2(r.col(2).z))),
-    function("AZ", 1, 2, |a| turn(a, |r| r.col(0).y.atan2(r.col(0).x))),
-    function("PSI", 1, 2, |a| turn(a, |r| model::angles_of(r)[0])),
-    function("THETA", 1, 2, |a| turn(a, |r| model::angles_of(r)[1])),
-    function("PHI", 1, 2, |a| turn(a, |r| model::angles_of(r)[2])),
-    function("YAW", 1, 2, |a| turn(a, |r| sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[0])),
+    function("DM", "to, [from]", "distance between two frames", |a| real(displacement(a)?.length())),
+    function("DX", "to, [from], [axes]", "x component of the way from one frame to another", |a| component(a, 0)),
+    function("DY", "to, [from], [axes]", "y component of the way from one frame to another", |a| component(a, 1)),
+    function("DZ", "to, [from], [axes]", "z component of the way from one frame to another", |a| component(a, 2)),
+    function("AX", "of, [from]", "angle of a frame about the x axis of another", |a| {
+        turn(a, |r| (-r.col(2).y).atan2(r.col(2).z))
+    }),
+    function("AY", "of, [from]", "angle of a frame about the y axis of another", |a| {
+        turn(a, |r| r.col(2).x.atan2(r.col(2).z))
+    }),
+    function("AZ", "of, [from]", "angle of a frame about the z axis of another", |a| {
+        turn(a, |r| r.col(0).y.atan2(r.col(0).x))
+    }),
+    function("PSI", "of, [from]", "first body 3-1-3 angle of a frame seen from another", |a| {
+        turn(a, |r| model::angles_of(r)[0])
+    }),
+    function("THETA", "of, [from]", "second body 3-1-3 angle of a frame seen from another", |a| {
+        turn(a, |r| model::angles_of(r)[1])
+    }),
+    function("PHI", "of, [from]", "third body 3-1-3 angle of a frame seen from another", |a| {
+        turn(a, |r| model::angles_of(r)[2])
+    }),
+    function("YAW", "of, [from]", "yaw angle of a frame seen from another", |a| {
+        turn(a, |r| sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[0])
+    }),
     // Adams gives the negative of the second angle.
-    function("PITCH", 1, 2, |a| turn(a, |r| -sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[1])),
-    function("ROLL", 1, 2, |a| turn(a, |r| sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[2])),
+    function("PITCH", "of, [from]", "pitch angle of a frame seen from another", |a| {
+        turn(a, |r| -sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[1])
+    }),
+    function("ROLL", "of, [from]", "roll angle of a frame seen from another", |a| {
+        turn(a, |r| sequence_angles(r, Sequence { body: true, axes: [2, 1, 0] })[2])
+    }),
 ];
 
 /// From the second frame to the first, in global axes.

@@ -11,31 +11,76 @@ use super::{Arguments, Function, function, location::direction, location::normal
 use crate::scope::Outcome;
 
 pub const TABLE: &[Function] = &[
-    function("ORI_ALIGN_AXIS", 2, 2, align_axis),
-    function("ORI_ALIGN_AXIS_EUL", 2, 2, |a| {
-        let rotation = aligned(&a.rotation(0)?, a)?;
-        orientation(&rotation, a)
-    }),
-    function("ORI_ALL_AXES", 2, 2, all_axes),
-    function("ORI_ALONG_AXIS", 3, 3, along_axis),
-    function("ORI_FRAME_MIRROR", 4, 4, mirror),
-    function("ORI_GLOBAL", 2, 2, |a| {
+    function(
+        "ORI_ALIGN_AXIS",
+        "frame, axes",
+        "orientation with one axis along or against an axis of a frame",
+        align_axis,
+    ),
+    function(
+        "ORI_ALIGN_AXIS_EUL",
+        "orientation, axes",
+        "orientation with one axis along or against an axis of another orientation",
+        |a| {
+            let rotation = aligned(&a.rotation(0)?, a)?;
+            orientation(&rotation, a)
+        },
+    ),
+    function(
+        "ORI_ALL_AXES",
+        "points, axes",
+        "orientation from three points: first axis along two of them, second in their plane",
+        all_axes,
+    ),
+    function(
+        "ORI_ALONG_AXIS",
+        "from, to, axis",
+        "orientation with an axis pointing from one frame to another",
+        along_axis,
+    ),
+    function(
+        "ORI_FRAME_MIRROR",
+        "orientation, frame, plane, axes",
+        "image of an orientation in a coordinate plane of a frame",
+        mirror,
+    ),
+    function("ORI_GLOBAL", "orientation, frame", "global form of an orientation given in a frame", |a| {
         let rotation = a.rotation(0)?;
         orientation(&(a.turn(1)? * rotation), a)
     }),
-    function("ORI_IN_PLANE", 4, 4, in_plane),
-    function("ORI_LOCAL", 2, 2, |a| {
+    function(
+        "ORI_IN_PLANE",
+        "from, to, aside, axis_and_plane",
+        "orientation from three frames: axis along two of them, plane through the third",
+        in_plane,
+    ),
+    function("ORI_LOCAL", "orientation, frame", "an orientation given globally, seen from a frame", |a| {
         let rotation = a.rotation(0)?;
         orientation(&(a.turn(1)?.transpose() * rotation), a)
     }),
-    function("ORI_MIRROR", 4, 4, mirror),
-    function("ORI_ONE_AXIS", 2, 2, one_axis),
-    function("ORI_ORI", 3, 3, |a| {
+    function(
+        "ORI_MIRROR",
+        "orientation, frame, plane, axes",
+        "image of an orientation in a coordinate plane of a frame",
+        mirror,
+    ),
+    function("ORI_ONE_AXIS", "points, axis", "orientation with an axis along the line of two points", one_axis),
+    function("ORI_ORI", "orientation, from, to", "an orientation changed from one frame to another", |a| {
         let (rotation, from, to) = (a.rotation(0)?, a.turn(1)?, a.turn(2)?);
         orientation(&(to.transpose() * from * rotation), a)
     }),
-    function("ORI_PLANE_MIRROR", 3, 3, plane_mirror),
-    function("ORI_RELATIVE_TO", 2, 2, relative_to),
+    function(
+        "ORI_PLANE_MIRROR",
+        "orientation, points, axes",
+        "image of an orientation in the plane of three points",
+        plane_mirror,
+    ),
+    function(
+        "ORI_RELATIVE_TO",
+        "orientation, frame",
+        "orientation given in a frame, as the object that uses it stores it",
+        relative_to,
+    ),
 ];
 
 /// A global rotation as angles in the frame of the owner.

@@ -8,24 +8,24 @@ use super::{Arguments, Function, momentary};
 use crate::{arithmetic::flag, scope::Outcome};
 
 pub const TABLE: &[Function] = &[
-    momentary("FILE_EXISTS", 1, 1, |a| Ok(flag(std::path::Path::new(&a.text(0)?).exists()))),
-    momentary("GETCWD", 0, 0, |a| {
+    momentary("FILE_EXISTS", "file", "1 if a file exists", |a| Ok(flag(std::path::Path::new(&a.text(0)?).exists()))),
+    momentary("GETCWD", "", "working folder", |a| {
         let folder =
             std::env::current_dir().map_err(|e| a.error(format!("the working folder is not readable: {e}")))?;
         Ok(Value::Text(folder.to_string_lossy().into_owned()))
     }),
-    momentary("GETENV", 1, 1, |a| {
+    momentary("GETENV", "name", "value of an environment variable", |a| {
         let name = a.text(0)?;
         // Names with `=` or a zero byte cannot be set.
         let known = !name.is_empty() && !name.contains(['=', '\0']);
         let value = if known { std::env::var_os(&name) } else { None };
         Ok(Value::Text(value.map_or_else(String::new, |v| v.to_string_lossy().into_owned())))
     }),
-    momentary("STR_TIMESTAMP", 0, 0, |_| {
+    momentary("STR_TIMESTAMP", "", "date and time now", |_| {
         let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |d| d.as_secs());
         Ok(Value::Text(timestamp(seconds)))
     }),
-    momentary("SYS_INFO", 1, 1, system_information),
+    momentary("SYS_INFO", "what", "user name, real name or host name", system_information),
 ];
 
 fn system_information(a: &mut Arguments) -> Outcome<Value> {

@@ -7,17 +7,17 @@ use super::{Arguments, Function, database::dimension_of, function, real};
 use crate::scope::Outcome;
 
 pub const TABLE: &[Function] = &[
-    function("UNITS_CONVERSION_FACTOR", 1, 1, |a| {
+    function("UNITS_CONVERSION_FACTOR", "unit", "factor from a unit to the one in force", |a| {
         let unit = a.text(0)?;
         let (dimension, si) = parse_unit_expression(&unit).ok_or_else(|| crate::evaluate::unknown_unit(&unit))?;
         real(si / a.database().units().factor(dimension))
     }),
-    function("UNITS_STRING", 1, 1, |a| {
+    function("UNITS_STRING", "field", "unit in force of a field", |a| {
         let dimension = dimension_of(a)?;
         Ok(Value::Text(a.database().units().label(dimension)))
     }),
-    function("UNITS_TYPE", 1, 1, |a| Ok(Value::Text(a.text(0)?))),
-    function("UNITS_VALUE", 1, 1, |a| {
+    function("UNITS_TYPE", "field", "kind of quantity of a field", |a| Ok(Value::Text(a.text(0)?))),
+    function("UNITS_VALUE", "quantity", "unit in force of a kind of quantity", |a| {
         let dimension = quantity_expression(a)?;
         Ok(Value::Text(a.database().units().label(dimension)))
     }),
