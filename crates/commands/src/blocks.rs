@@ -1,5 +1,7 @@
 //! Which statements open, part and close blocks.
 
+use syntax::command::Parser;
+
 use crate::{
     program::Program,
     words::{Match, match_word},
@@ -26,8 +28,8 @@ pub struct Blocks {
     pub control: Vec<Control>,
     /// For each opener, the statement that ends its block; the number of statements if none does.
     pub end: Vec<usize>,
-    /// For each `if`, its `elseif` and `else` statements.
-    pub arms: Vec<Vec<usize>>,
+    /// The `elseif` and `else` statements, each with the `if` it belongs to.
+    arms: Vec<(usize, usize)>,
     /// Openers without end.
     pub unclosed: Vec<usize>,
 }
@@ -47,36 +49,60 @@ const WORDS: [(&str, Control); 9] = [
 impl Blocks {
     /// Finds the blocks; `first_words` are all words a command may begin with.
     pub fn of(program: &Program, first_words: &[&str]) -> Blocks {
-        let count = program.statements.len();
-        let mut blocks = Blocks {
-            control: Vec::with_capacity(count),
-            end: vec![count; count],
-            arms: vec![Vec::new(); count],
-            unclosed: Vec::new(),
-        };
-        let mut open: Vec<usize> = Vec::new();
-        for i in 0..count {
-            let control = control_of(program, i, first_words);
-            blocks.control.push(control);
-            match control {
-                Control::If | Control::While | Control::For => open.push(i),
-                Control::ElseIf | Control::Else => {
-                    if let Some(&opener) = open.last()
-                        && blocks.control[opener] == Control::If
-                    {
-                        blocks.arms[opener].push(i);
-                    }
-                }
-                Control::End => {
-                    if let Some(opener) = open.pop() {
-                        blocks.end[opener] = i;
-                    }
-                }
-                Control::Plain | Control::Break | Control::Continue | Control::Return => {}
+        let mut blocks = Blocks::default();
+        for i in 0..program.statements.len() {
+            blocks.add(control_of(program, i, first_words));
+        }
+        blocks.finish();
+        blocks
+    }
+
+    /// Reads statements up to the end of the block that the first of them opens, or that one alone.
+    /// False at the end of the text.
+    pub fn read_unit(&mut self, program: &mut Program, parser: &mut Parser, first_words: &[&str]) -> bool {
+        *self = Blocks::default();
+        program.statements.clear();
+        while program.read(parser) {
+            self.add(control_of(program, program.statements.len() - 1, first_words));
+            if self.unclosed.is_empty() {
+                break;
             }
         }
-        blocks.unclosed = open;
-        blocks
+        self.finish();
+        !program.statements.is_empty()
+    }
+
+    fn add(&mut self, control: Control) {
+        let i = self.control.len();
+        self.control.push(control);
+        self.end.push(usize::MAX);
+        match control {
+            Control::If | Control::While | Control::For => self.unclosed.push(i),
+            Control::ElseIf | Control::Else => {
+                if let Some(&opener) = self.unclosed.last()
+                    && self.control[opener] == Control::If
+                {
+                    self.arms.push((opener, i));
+                }
+            }
+            Control::End => {
+                if let Some(opener) = self.unclosed.pop() {
+                    self.end[opener] = i;
+                }
+            }
+            Control::Plain | Control::Break | Control::Continue | Control::Return => {}
+        }
+    }
+
+    /// Blocks that nothing ends go on to the last statement.
+    fn finish(&mut self) {
+        let count = self.control.len();
+        self.end.iter_mut().for_each(|end| *end = (*end).min(count));
+    }
+
+    /// The `elseif` and `else` statements of an `if`.
+    pub fn arms(&self, opener: usize) -> impl Iterator<Item = usize> + '_ {
+        self.arms.iter().filter(move |(of, _)| *of == opener).map(|(_, arm)| *arm)
     }
 }
 

@@ -82,7 +82,7 @@ impl Interpreter {
         let inside = self.block_depth as i64 + 1;
         let mut from = at + 1;
         let mut done = false;
-        for arm in blocks.arms[at].iter().copied().chain([end]) {
+        for arm in blocks.arms(at).chain([end]) {
             let here = if taken && !done { inside } else { -inside };
             if taken && !done {
                 done = true;

@@ -10,6 +10,7 @@ use std::{
 
 use model::Database;
 use schema::Registry;
+use syntax::command::Parser;
 use text::{Diagnostic, FileId, Sources, Span};
 
 use crate::{
@@ -232,13 +233,9 @@ impl Interpreter {
         !Blocks::of(&program, &words).unclosed.is_empty()
     }
 
+    /// Runs a text from beginning to end; errors have been reported when this returns. Statements
+    /// are read as they are needed, so that memory does not grow with the text.
     pub(crate) fn run_source(&mut self, file: FileId) -> Flow {
-        let program = Program::parse(&self.sources, file);
-        self.run_program(&program)
-    }
-
-    /// Runs a program from beginning to end; errors have been reported when this returns.
-    pub(crate) fn run_program(&mut self, program: &Program) -> Flow {
         if self.trace.len() >= DEEPEST {
             self.report.failed += 1;
             let error = Diagnostic::error("command/too-deep", "files or macros call each other without end")
@@ -248,14 +245,23 @@ impl Interpreter {
         }
         let words = self.tree.next_words(&[]);
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        let blocks = Blocks::of(program, &words);
+        let source = self.sources.share(file);
+        let mut parser = Parser::new(file, source.text());
+        let mut program = Program::new(&self.sources, file);
+        let mut blocks = Blocks::default();
         let journal_state = self.journal.as_mut().map(Journal::begin_program);
         let depth = std::mem::take(&mut self.block_depth);
-        let flow = self.run_units(program, &blocks);
-        if flow != Flow::Abort {
-            self.warn_unclosed(program, &blocks.unclosed);
+        let mut flow = Flow::Next;
+        while flow == Flow::Next && blocks.read_unit(&mut program, &mut parser, &words) {
+            flow = self.run_unit(&program, &blocks);
+            if !blocks.unclosed.is_empty() {
+                break; // which was the last one
+            }
         }
-        self.echo_rest(program, flow);
+        if flow != Flow::Abort {
+            self.warn_unclosed(&program, &blocks.unclosed);
+        }
+        self.echo_rest(&program, flow);
         self.block_depth = depth;
         if let (Some(journal), Some(state)) = (&mut self.journal, journal_state) {
             journal.end_program(state);
@@ -284,28 +290,17 @@ impl Interpreter {
         self.complain(vec![warning]);
     }
 
-    /// Runs the statements and blocks of a program one after the other, for the journal to keep
-    /// what was typed and has not failed.
-    fn run_units(&mut self, program: &Program, blocks: &Blocks) -> Flow {
-        let mut at = 0;
-        while at < program.statements.len() {
-            let (block, next) = match blocks.control[at] {
-                Control::If | Control::While | Control::For => (true, blocks.end[at] + 1),
-                _ => (false, at + 1),
-            };
-            let next = next.min(program.statements.len());
-            let mark = self.journal.as_ref().map(Journal::mark);
-            let flow = self.run_range(program, blocks, at, next);
-            let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block;
-            if let (Some(journal), Some(mark)) = (&mut self.journal, mark) {
-                journal.keep_typed(program, mark, next, refused);
-            }
-            if flow != Flow::Next {
-                return flow;
-            }
-            at = next;
+    /// Runs a statement or a block, for the journal to keep what was typed and has not failed.
+    fn run_unit(&mut self, program: &Program, blocks: &Blocks) -> Flow {
+        let block = matches!(blocks.control.first(), Some(Control::If | Control::While | Control::For));
+        let count = program.statements.len();
+        let mark = self.journal.as_ref().map(Journal::mark);
+        let flow = self.run_range(program, blocks, 0, count);
+        let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block;
+        if let (Some(journal), Some(mark)) = (&mut self.journal, mark) {
+            journal.keep_typed(program, mark, count, refused);
         }
-        Flow::Next
+        flow
     }
 
     /// Runs the statements `from..to`.

@@ -244,7 +244,7 @@ fn texts(diagnostic: &Diagnostic) -> Vec<String> {
 }
 
 fn column_of(program: &Program, offset: u32) -> usize {
-    let before = program.text.get(..offset as usize).unwrap_or("");
+    let before = program.text().get(..offset as usize).unwrap_or("");
     before.rsplit('\n').next().unwrap_or("").chars().count()
 }
 

@@ -1,5 +1,7 @@
 //! The store of source files and the spans that point into them.
 
+use std::sync::{Arc, OnceLock};
+
 /// Index of a file in [`Sources`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileId(pub u32);
@@ -40,26 +42,67 @@ pub struct LineColumn {
     pub column: usize,
 }
 
+/// One text with its name.
 #[derive(Debug)]
-struct SourceFile {
+pub struct Source {
     name: String,
     text: String,
-    line_starts: Vec<u32>,
+    /// Offsets at which lines begin; found when a line is first asked for.
+    line_starts: OnceLock<Vec<u32>>,
+}
+
+impl Source {
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Offsets at which physical lines begin, the first of them 0.
+    pub fn line_starts(&self) -> &[u32] {
+        self.line_starts.get_or_init(|| {
+            let breaks = self.text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1);
+            std::iter::once(0).chain(breaks).collect()
+        })
+    }
+
+    /// The line of an offset, counted from 0.
+    pub fn line_number(&self, offset: u32) -> usize {
+        self.line_starts().partition_point(|&start| start <= offset) - 1
+    }
+
+    /// Byte range of the line that contains an offset, without its line break.
+    pub fn line_range(&self, offset: u32) -> std::ops::Range<usize> {
+        let line_starts = self.line_starts();
+        let line = self.line_number(offset);
+        let start = line_starts[line] as usize;
+        let end = line_starts.get(line + 1).map_or(self.text.len(), |&next| next as usize - 1);
+        let carriage_return = self.text.as_bytes().get(start..end).is_some_and(|line| line.ends_with(b"\r"));
+        start..end - usize::from(carriage_return)
+    }
+
+    pub fn line_column(&self, offset: u32) -> LineColumn {
+        let line = self.line_number(offset);
+        let start = self.line_starts()[line] as usize;
+        let end = (offset as usize).min(self.text.len());
+        let column = self.text.get(start..end).map_or(end - start, |t| t.chars().count()) + 1;
+        LineColumn { line: line + 1, column }
+    }
 }
 
 /// All texts read in this session: files, command lines typed, macros.
 #[derive(Debug, Default)]
 pub struct Sources {
-    files: Vec<SourceFile>,
+    files: Vec<Arc<Source>>,
 }
 
 impl Sources {
     /// Adds a text under a display name (a path, `<command line>`, ...).
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> FileId {
-        let text = text.into();
-        let mut line_starts = vec![0];
-        line_starts.extend(text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1));
-        self.files.push(SourceFile { name: name.into(), text, line_starts });
+        let source = Source { name: name.into(), text: text.into(), line_starts: OnceLock::new() };
+        self.files.push(Arc::new(source));
         FileId(self.files.len() as u32 - 1)
     }
 
@@ -71,12 +114,17 @@ impl Sources {
         self.add(name, text)
     }
 
+    /// A text to hold on to while others are added.
+    pub fn share(&self, file: FileId) -> Arc<Source> {
+        self.files[file.0 as usize].clone()
+    }
+
     pub fn name(&self, file: FileId) -> &str {
-        &self.files[file.0 as usize].name
+        self.files[file.0 as usize].name()
     }
 
     pub fn text(&self, file: FileId) -> &str {
-        &self.files[file.0 as usize].text
+        self.files[file.0 as usize].text()
     }
 
     /// The text a span covers.
@@ -86,21 +134,11 @@ impl Sources {
 
     /// Byte range of the line that contains an offset, without its line break.
     pub fn line_range(&self, file: FileId, offset: u32) -> std::ops::Range<usize> {
-        let file = &self.files[file.0 as usize];
-        let next = file.line_starts.partition_point(|&start| start <= offset);
-        let start = file.line_starts[next - 1] as usize;
-        let end = file.line_starts.get(next).map_or(file.text.len(), |&next| next as usize - 1);
-        let carriage_return = file.text.as_bytes().get(start..end).is_some_and(|line| line.ends_with(b"\r"));
-        start..end - usize::from(carriage_return)
+        self.files[file.0 as usize].line_range(offset)
     }
 
     pub fn line_column(&self, file: FileId, offset: u32) -> LineColumn {
-        let file = &self.files[file.0 as usize];
-        let line = file.line_starts.partition_point(|&start| start <= offset) - 1;
-        let start = file.line_starts[line] as usize;
-        let end = (offset as usize).min(file.text.len());
-        let column = file.text.get(start..end).map_or(end - start, |t| t.chars().count()) + 1;
-        LineColumn { line: line + 1, column }
+        self.files[file.0 as usize].line_column(offset)
     }
 }
 
