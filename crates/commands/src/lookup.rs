@@ -1,6 +1,6 @@
 //! Names typed in commands: which object is meant, and where a new one goes.
 
-use model::{Database, ObjectId, quoted, split_name};
+use model::{Database, ObjectId, name_steps, quoted, split_name};
 use schema::{Class, Registry};
 use text::{Diagnostic, Span};
 
@@ -223,9 +223,9 @@ pub fn new_name(
     typed: &str,
     span: Span,
 ) -> Result<NewName, Diagnostic> {
-    let steps = split_name(typed.strip_prefix('.').unwrap_or(typed));
+    let steps = name_steps(typed.strip_prefix('.').unwrap_or(typed));
     let Some((name, path)) = steps.split_last() else { return Err(bad_name(typed, span)) };
-    if name.is_empty() || steps.iter().any(String::is_empty) || name.contains(char::is_control) {
+    if name.is_empty() || steps.iter().any(|s| s.is_empty()) || name.contains(char::is_control) {
         return Err(bad_name(typed, span));
     }
     let last_quoted = typed.ends_with('"');
@@ -250,7 +250,7 @@ pub fn new_name(
         if parent.is_none() && !class.parents.is_empty() {
             return Err(no_parent(class, typed, span));
         }
-        return Ok(NewName { parent, name: name.clone() });
+        return Ok(NewName { parent, name: name.to_string() });
     }
     let mut parent = None;
     for (depth, step) in path.iter().enumerate() {
@@ -306,7 +306,7 @@ pub fn new_name(
         let _ = registry;
         return Err(no_parent(class, typed, span));
     }
-    Ok(NewName { parent, name: name.clone() })
+    Ok(NewName { parent, name: name.to_string() })
 }
 
 fn no_parent(class: &Class, typed: &str, span: Span) -> Diagnostic {

@@ -1,15 +1,14 @@
 //! The arena of objects and the only methods that change it.
 
-use std::collections::HashMap;
-
 use schema::{Class, Dimension, UnitSystem};
 use smallvec::SmallVec;
 
 use crate::{
     Cell, CellKey, Mark, Settings, UnitsId, Value,
     dependencies::Dependencies,
+    index::NameIndex,
     settings::first_units,
-    undo::{Change, History},
+    undo::{Change, History, Place},
 };
 
 /// Handle of an object; never used again after the object is deleted.
@@ -33,16 +32,13 @@ pub struct Object {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NameTaken(pub ObjectId);
 
-pub(crate) type NameKey = (Option<ObjectId>, Box<str>);
-
 /// The modelling database.
 #[derive(Clone, Debug)]
 pub struct Database {
     pub(crate) objects: Vec<Option<Box<Object>>>,
     /// Top-level objects in order of creation.
     pub(crate) roots: Vec<ObjectId>,
-    /// Objects by parent and lower-case name. Objects of different classes may share a name.
-    pub(crate) names: HashMap<NameKey, SmallVec<[ObjectId; 1]>>,
+    pub(crate) names: NameIndex,
     pub(crate) settings: Settings,
     pub(crate) unit_systems: Vec<UnitSystem>,
     pub(crate) dependencies: Dependencies,
@@ -56,7 +52,7 @@ impl Default for Database {
         Database {
             objects: Vec::new(),
             roots: Vec::new(),
-            names: HashMap::new(),
+            names: NameIndex::default(),
             settings: Settings::default(),
             unit_systems: vec![first_units()],
             dependencies: Dependencies::default(),
@@ -254,15 +250,15 @@ impl Database {
         if let Some(taken) = self.child_of_kind(parent, name, self.object(id).class).filter(|t| *t != id) {
             return Err(NameTaken(taken));
         }
-        let (old_name, old_parent, old_position) = self.swap_name(id, name.to_string(), parent, None);
-        self.record(Change::Named { id, old_name, old_parent, old_position });
+        let old = self.swap_name(id, name.to_string(), parent, None);
+        self.record(Change::Named { id, old: Box::new(old) });
         Ok(())
     }
 
     /// Sets or clears a cell. What it reads is set apart, by [`Database::set_reads`].
     pub fn set_cell(&mut self, key: CellKey, cell: Option<Cell>) {
         let old = self.swap_cell(key, cell);
-        self.record(Change::Cell { key, old });
+        self.record(Change::Cell { key, old: old.map(Box::new) });
     }
 
     /// Sets a literal value in the units in force; no-op for a field the class does not have.
@@ -289,15 +285,27 @@ impl Database {
     /// what bare names go under.
     pub fn make_current(&mut self, id: ObjectId) {
         let class = self.object(id).class;
-        let names: Vec<_> = std::iter::once(class.id).chain(class.families.iter().copied()).collect();
-        if names.iter().all(|n| self.settings.current.get(n) == Some(&id)) {
+        let names = || std::iter::once(class.id).chain(class.families.iter().copied());
+        let places: Option<SmallVec<[usize; 8]>> =
+            names().map(|name| self.settings.current.get_index_of(name)).collect();
+        let Some(places) = places else {
+            self.change_settings(|s| s.current.extend(names().map(|name| (name, id))));
             return;
+        };
+        let new = places.iter().filter(|place| self.settings.current[**place] != id).map(|place| (*place as u16, id));
+        let new: SmallVec<_> = new.collect();
+        if !new.is_empty() {
+            let old = self.swap_current(new);
+            self.record(Change::Current { old });
         }
-        self.change_settings(|s| {
-            for name in names {
-                s.current.insert(name, id);
-            }
-        });
+    }
+
+    /// Sets the frame that locations and orientations refer to.
+    pub fn set_default_frame(&mut self, frame: Option<ObjectId>) {
+        if self.settings.default_frame != frame {
+            let old = std::mem::replace(&mut self.settings.default_frame, frame);
+            self.record(Change::Frame { old });
+        }
     }
 
     /// Puts units in force. Values keep their physical meaning.
@@ -327,6 +335,19 @@ impl Database {
         std::mem::replace(&mut object.cells[key.cell as usize], cell)
     }
 
+    /// Exchanges current objects at positions of the settings; the last of equal positions comes back
+    /// first.
+    pub(crate) fn swap_current(
+        &mut self,
+        mut objects: SmallVec<[(u16, ObjectId); 2]>,
+    ) -> SmallVec<[(u16, ObjectId); 2]> {
+        for (place, object) in &mut objects {
+            std::mem::swap(&mut self.settings.current[*place as usize], object);
+        }
+        objects.reverse();
+        objects
+    }
+
     pub(crate) fn siblings(&mut self, parent: Option<ObjectId>) -> &mut Vec<ObjectId> {
         match parent {
             Some(p) => &mut self.objects[p.0 as usize].as_mut().expect("handle of a living object").children,
@@ -335,30 +356,20 @@ impl Database {
     }
 
     pub(crate) fn attach(&mut self, id: ObjectId, object: Box<Object>, position: usize) {
-        self.names.entry(name_key(object.parent, &object.name)).or_default().push(id);
         let siblings = self.siblings(object.parent);
         let position = position.min(siblings.len());
         siblings.insert(position, id);
         self.objects[id.0 as usize] = Some(object);
+        self.names.insert(&self.objects, id);
     }
 
     pub(crate) fn detach(&mut self, id: ObjectId) -> (Box<Object>, usize) {
+        self.names.remove(&self.objects, id);
         let object = self.objects[id.0 as usize].take().expect("handle of a living object");
-        self.forget_name(id, object.parent, &object.name);
         let siblings = self.siblings(object.parent);
         let position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
         siblings.remove(position);
         (object, position)
-    }
-
-    fn forget_name(&mut self, id: ObjectId, parent: Option<ObjectId>, name: &str) {
-        let key = name_key(parent, name);
-        if let Some(list) = self.names.get_mut(&key) {
-            list.retain(|o| *o != id);
-            if list.is_empty() {
-                self.names.remove(&key);
-            }
-        }
     }
 
     pub(crate) fn swap_name(
@@ -367,12 +378,9 @@ impl Database {
         name: String,
         parent: Option<ObjectId>,
         position: Option<usize>,
-    ) -> (String, Option<ObjectId>, usize) {
-        let (old_name, old_parent) = {
-            let object = self.object(id);
-            (object.name.clone(), object.parent)
-        };
-        self.forget_name(id, old_parent, &old_name);
+    ) -> Place {
+        self.names.remove(&self.objects, id);
+        let old_parent = self.object(id).parent;
         let siblings = self.siblings(old_parent);
         let old_position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
         if old_parent != parent || position.is_some() {
@@ -381,14 +389,10 @@ impl Database {
             let position = position.unwrap_or(siblings.len()).min(siblings.len());
             siblings.insert(position, id);
         }
-        self.names.entry(name_key(parent, &name)).or_default().push(id);
         let object = self.objects[id.0 as usize].as_mut().expect("handle of a living object");
-        object.name = name;
         object.parent = parent;
-        (old_name, old_parent, old_position)
+        let old_name = std::mem::replace(&mut object.name, name);
+        self.names.insert(&self.objects, id);
+        Place { name: old_name, parent: old_parent, position: old_position }
     }
-}
-
-pub(crate) fn name_key(parent: Option<ObjectId>, name: &str) -> NameKey {
-    (parent, name.to_ascii_lowercase().into())
 }

@@ -1,8 +1,11 @@
 //! Full names, how names are looked up, and generated names.
 
-use schema::Class;
+use std::borrow::Cow;
 
-use crate::{Database, ObjectId, database::name_key};
+use schema::Class;
+use smallvec::SmallVec;
+
+use crate::{Database, ObjectId};
 
 impl Database {
     /// Full name with a leading dot; names that need quotes are quoted.
@@ -19,7 +22,7 @@ impl Database {
 
     /// Children of a parent (or top-level objects) with a name, ignoring case.
     pub fn children_named(&self, parent: Option<ObjectId>, name: &str) -> &[ObjectId] {
-        self.names.get(&name_key(parent, name)).map_or(&[], |l| l.as_slice())
+        self.names.find(&self.objects, parent, name)
     }
 
     /// A child of a parent with a name that is of the wanted class or family.
@@ -35,17 +38,16 @@ impl Database {
     /// Finds an existing object by full name (`.model.part.marker`). Only the last step must be of
     /// the wanted class or family.
     pub fn find(&self, full_name: &str, wanted: &str) -> Option<ObjectId> {
-        let steps = split_name(full_name.strip_prefix('.')?);
-        self.descend(None, &steps, wanted)
+        self.descend(None, &name_steps(full_name.strip_prefix('.')?), wanted)
     }
 
     /// Follows name steps down from a parent, trying every object that shares a step's name.
-    pub fn descend(&self, from: Option<ObjectId>, steps: &[String], wanted: &str) -> Option<ObjectId> {
+    pub fn descend<S: AsRef<str>>(&self, from: Option<ObjectId>, steps: &[S], wanted: &str) -> Option<ObjectId> {
         let (first, rest) = steps.split_first()?;
         if rest.is_empty() {
-            return self.child(from, first, wanted);
+            return self.child(from, first.as_ref(), wanted);
         }
-        self.children_named(from, first).iter().find_map(|&c| self.descend(Some(c), rest, wanted))
+        self.children_named(from, first.as_ref()).iter().find_map(|&c| self.descend(Some(c), rest, wanted))
     }
 
     /// The model an object belongs to.
@@ -98,14 +100,22 @@ pub fn quoted(name: &str) -> String {
 
 /// Splits `part."odd name".marker` at the dots outside quotes and removes the quotes.
 pub fn split_name(name: &str) -> Vec<String> {
-    let (mut steps, mut step, mut inside) = (Vec::new(), String::new(), false);
+    name_steps(name).into_iter().map(Cow::into_owned).collect()
+}
+
+/// The steps of [`split_name`], borrowed where there are no quotes.
+pub fn name_steps(name: &str) -> SmallVec<[Cow<'_, str>; 4]> {
+    if !name.contains('"') {
+        return name.split('.').map(Cow::Borrowed).collect();
+    }
+    let (mut steps, mut step, mut inside) = (SmallVec::new(), String::new(), false);
     for c in name.chars() {
         match c {
             '"' => inside = !inside,
-            '.' if !inside => steps.push(std::mem::take(&mut step)),
+            '.' if !inside => steps.push(Cow::Owned(std::mem::take(&mut step))),
             _ => step.push(c),
         }
     }
-    steps.push(step);
+    steps.push(Cow::Owned(step));
     steps
 }

@@ -1,40 +1,87 @@
 //! Inverse changes: rollback of a failed command, undo and redo of whole steps.
 
+use smallvec::SmallVec;
+
 use crate::{Cell, CellKey, Database, Object, ObjectId, Settings};
 
-/// One change, holding what is needed to take it back.
+/// One change, holding what is needed to take it back. There is one for nearly every value that is
+/// ever set: what is large and rare is boxed.
 #[derive(Clone, Debug)]
 pub(crate) enum Change {
-    Created { id: ObjectId },
-    Removed { id: ObjectId, object: Box<Object>, position: usize },
-    Cell { key: CellKey, old: Option<Cell> },
-    Named { id: ObjectId, old_name: String, old_parent: Option<ObjectId>, old_position: usize },
-    Settings { old: Box<Settings> },
-    Reads { cell: CellKey, old: Vec<CellKey> },
+    Created {
+        id: ObjectId,
+    },
+    Removed {
+        id: ObjectId,
+        object: Box<Object>,
+        position: usize,
+    },
+    Cell {
+        key: CellKey,
+        old: Option<Box<Cell>>,
+    },
+    Named {
+        id: ObjectId,
+        old: Box<Place>,
+    },
+    Settings {
+        old: Box<Settings>,
+    },
+    /// Current objects, by position in the settings: the most frequent change of settings.
+    Current {
+        old: SmallVec<[(u16, ObjectId); 2]>,
+    },
+    Frame {
+        old: Option<ObjectId>,
+    },
+    Reads {
+        cell: CellKey,
+        old: Vec<CellKey>,
+    },
+}
+
+/// Where an object stands in the tree.
+#[derive(Clone, Debug)]
+pub(crate) struct Place {
+    pub name: String,
+    pub parent: Option<ObjectId>,
+    pub position: usize,
 }
 
 /// A point in the record of changes to which one can roll back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mark(usize);
 
+impl Change {
+    fn concerns_settings(&self) -> bool {
+        matches!(self, Change::Settings { .. } | Change::Current { .. } | Change::Frame { .. })
+    }
+}
+
 #[derive(Clone, Debug, Default)]
 pub(crate) struct History {
     /// Changes since the last finished step.
     open: Vec<Change>,
+    /// Objects from this handle on were made since the last mark and in the open step: they go with
+    /// all their cells when that is taken back, so that their cells need no record.
+    fresh_from: u32,
     /// Finished steps, oldest first.
-    done: Vec<Vec<Change>>,
+    done: Vec<Box<[Change]>>,
     /// Steps undone, the next to redo last.
-    undone: Vec<Vec<Change>>,
+    undone: Vec<Box<[Change]>>,
 }
 
 impl Database {
     pub(crate) fn record(&mut self, change: Change) {
-        self.revision += u64::from(!matches!(change, Change::Settings { .. }));
-        self.history.open.push(change);
+        self.revision += u64::from(!change.concerns_settings());
+        if !matches!(&change, Change::Cell { key, .. } if key.object.0 >= self.history.fresh_from) {
+            self.history.open.push(change);
+        }
     }
 
     /// The present point of the open step.
-    pub fn mark(&self) -> Mark {
+    pub fn mark(&mut self) -> Mark {
+        self.history.fresh_from = self.objects.len() as u32;
         Mark(self.history.open.len())
     }
 
@@ -56,20 +103,22 @@ impl Database {
     /// changes is none. Redo is lost when something changed.
     pub fn finish_step(&mut self) {
         if !self.history.open.is_empty() {
-            let step = std::mem::take(&mut self.history.open);
+            let step = self.history.open.drain(..).collect();
             self.history.done.push(step);
             self.history.undone.clear();
         }
+        self.history.fresh_from = self.objects.len() as u32;
     }
 
     /// Forgets how to take back what happened since the last step (`undo begin_block suppress=yes`).
     pub fn forget_open_step(&mut self) {
         self.history.open.clear();
+        self.history.fresh_from = self.objects.len() as u32;
     }
 
     /// Forgets all steps.
     pub fn flush_history(&mut self) {
-        self.history = History::default();
+        self.history = History { fresh_from: self.objects.len() as u32, ..History::default() };
     }
 
     /// Keeps at most `steps` steps.
@@ -99,19 +148,13 @@ impl Database {
     }
 
     /// Applies the inverses of a step in reverse order and returns the step that takes that back.
-    fn replay(&mut self, step: Vec<Change>) -> Vec<Change> {
-        let outer = std::mem::take(&mut self.history.open);
-        let mut inverse = Vec::with_capacity(step.len());
-        for change in step.into_iter().rev() {
-            inverse.push(self.invert(change));
-        }
-        self.history.open = outer;
-        inverse
+    fn replay(&mut self, step: Box<[Change]>) -> Box<[Change]> {
+        step.into_iter().rev().map(|change| self.invert(change)).collect()
     }
 
     /// Takes one change back; returns the change that takes that back in turn.
     fn invert(&mut self, change: Change) -> Change {
-        self.revision += u64::from(!matches!(change, Change::Settings { .. }));
+        self.revision += u64::from(!change.concerns_settings());
         match change {
             Change::Created { id } => {
                 let (object, position) = self.detach(id);
@@ -121,12 +164,17 @@ impl Database {
                 self.attach(id, object, position);
                 Change::Created { id }
             }
-            Change::Cell { key, old } => Change::Cell { key, old: self.swap_cell(key, old) },
-            Change::Named { id, old_name, old_parent, old_position } => {
-                let (name, parent, position) = self.swap_name(id, old_name, old_parent, Some(old_position));
-                Change::Named { id, old_name: name, old_parent: parent, old_position: position }
+            Change::Cell { key, old } => {
+                let old = self.swap_cell(key, old.map(|cell| *cell));
+                Change::Cell { key, old: old.map(Box::new) }
+            }
+            Change::Named { id, old } => {
+                let Place { name, parent, position } = *old;
+                Change::Named { id, old: Box::new(self.swap_name(id, name, parent, Some(position))) }
             }
             Change::Settings { old } => Change::Settings { old: Box::new(std::mem::replace(&mut self.settings, *old)) },
+            Change::Current { old } => Change::Current { old: self.swap_current(old) },
+            Change::Frame { old } => Change::Frame { old: std::mem::replace(&mut self.settings.default_frame, old) },
             Change::Reads { cell, old } => Change::Reads { cell, old: self.dependencies.replace(cell, old) },
         }
     }

@@ -171,7 +171,7 @@ fn coordinate_system(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     let Some(id) = interpreter.object_argument(call, "default_coordinate_system")? else {
         return Err(vec![call.missing(&["default_coordinate_system"])]);
     };
-    interpreter.database.change_settings(|s| s.default_frame = Some(id));
+    interpreter.database.set_default_frame(Some(id));
     Ok(Flow::Next)
 }
 

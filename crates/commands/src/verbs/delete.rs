@@ -96,7 +96,7 @@ impl Interpreter {
             self.database.set_value(group, "objects_in_group", model::Value::Objects(rest));
         }
         if self.database.settings().default_frame.is_some_and(|f| gone.contains(&f)) {
-            self.database.change_settings(|s| s.default_frame = None);
+            self.database.set_default_frame(None);
         }
         for &id in chosen {
             if self.database.get(id).is_some() {
