@@ -15,6 +15,24 @@ fn errors(build: &Build) -> Vec<Diagnostic> {
     }
 }
 
+/// What acts and has no physics is refused by name, unless it is switched off: nobody shall take the
+/// result of another model for that of this one.
+#[test]
+fn what_acts_but_cannot_be_simulated_refuses_the_run() {
+    for class in ["field", "friction", "general_force", "contact", "coupler", "joint_screw", "differential_equation"] {
+        let mut b = cantilever();
+        let object = b.add(class, b.model, "extra");
+        let found = errors(&b);
+        assert_eq!(codes(&found), ["element/not-simulated"], "{class}");
+        assert!(found[0].message.contains("`.m.extra`"), "{}", found[0].message);
+        assert!(found[0].helps.iter().any(|h| h.text.contains("entity_name = .m.extra active = off")), "{found:?}");
+        if b.database.object(object).class.cell_index("active").is_some() {
+            b.word(object, "active", "off");
+            assert!(errors(&b).is_empty(), "{class}");
+        }
+    }
+}
+
 /// One beam from ground to a part, 500 mm along x.
 fn cantilever() -> Build {
     let mut b = Build::new(UnitSystem::mmks());

@@ -1,6 +1,8 @@
 //! Builds small models in a database, as commands would.
 #![allow(dead_code)]
 
+pub mod sheet;
+
 use flexure_elements::registry;
 use model::{Array, Database, FunctionText, ObjectId, Value};
 use schema::UnitSystem;
