@@ -1,12 +1,15 @@
 //! Values of objects: what is in a cell, in which units, and where it came from.
 
-use crate::{Expression, ObjectId, UnitsId};
+use serde::{Deserialize, Serialize};
+
+use crate::{Expression, ObjectId, UnitsId, stored};
 
 /// A numeric array as expressions use it: column-major, `rows` x `columns`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Array {
     pub rows: usize,
     pub columns: usize,
+    #[serde(with = "stored::numbers")]
     pub values: Vec<f64>,
 }
 
@@ -19,11 +22,11 @@ impl Array {
 
 /// What a cell holds and what an expression yields. Numbers are in the units recorded with the
 /// cell; in expressions, in the units in force.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Value {
     /// `(none)`: no object.
     Nothing,
-    Number(f64),
+    Number(#[serde(with = "stored::number")] f64),
     Integer(i64),
     Flag(bool),
     Text(String),
@@ -81,14 +84,14 @@ impl Value {
 
 /// A part of a run-time function text: plain text or the name of an object, held by reference so
 /// that it follows a renaming.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Piece {
     Text(String),
     Object(ObjectId),
 }
 
 /// A run-time function: text that is not converted when units change, with its object names bound.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct FunctionText {
     pub pieces: Vec<Piece>,
 }
@@ -125,7 +128,7 @@ impl FunctionText {
 }
 
 /// Where the value of a cell came from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Source {
     /// Typed as a plain value, or computed once by EVAL.
     Literal,
@@ -136,7 +139,7 @@ pub enum Source {
 }
 
 /// One value of an object.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cell {
     /// Evaluated value, numbers in `units`.
     pub value: Value,

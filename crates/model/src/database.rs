@@ -1,6 +1,9 @@
 //! The arena of objects and the only methods that change it.
 
+use std::collections::BTreeSet;
+
 use schema::{Class, Dimension, UnitSystem};
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
 use crate::{
@@ -12,7 +15,8 @@ use crate::{
 };
 
 /// Handle of an object; never used again after the object is deleted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct ObjectId(pub u32);
 
 /// One object of the tree.
@@ -45,6 +49,8 @@ pub struct Database {
     pub(crate) history: History,
     /// Counts changes of objects; settings are not counted.
     pub(crate) revision: u64,
+    /// Objects changed since somebody began to watch, for a file that follows the session.
+    pub(crate) touched: Option<BTreeSet<ObjectId>>,
 }
 
 impl Default for Database {
@@ -58,6 +64,7 @@ impl Default for Database {
             dependencies: Dependencies::default(),
             history: History::default(),
             revision: 0,
+            touched: None,
         }
     }
 }
@@ -331,6 +338,7 @@ impl Database {
     // ---- primitives without record, used by undo ----
 
     pub(crate) fn swap_cell(&mut self, key: CellKey, cell: Option<Cell>) -> Option<Cell> {
+        self.touch(key.object);
         let object = self.objects[key.object.0 as usize].as_mut().expect("handle of a living object");
         std::mem::replace(&mut object.cells[key.cell as usize], cell)
     }
@@ -356,6 +364,7 @@ impl Database {
     }
 
     pub(crate) fn attach(&mut self, id: ObjectId, object: Box<Object>, position: usize) {
+        self.touch(id);
         let siblings = self.siblings(object.parent);
         let position = position.min(siblings.len());
         siblings.insert(position, id);
@@ -364,8 +373,10 @@ impl Database {
     }
 
     pub(crate) fn detach(&mut self, id: ObjectId) -> (Box<Object>, usize) {
+        self.touch(id);
         self.names.remove(&self.objects, id);
         let object = self.objects[id.0 as usize].take().expect("handle of a living object");
+        object.parent.into_iter().for_each(|p| self.touch(p));
         let siblings = self.siblings(object.parent);
         let position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
         siblings.remove(position);
@@ -379,8 +390,10 @@ impl Database {
         parent: Option<ObjectId>,
         position: Option<usize>,
     ) -> Place {
+        self.touch(id);
         self.names.remove(&self.objects, id);
         let old_parent = self.object(id).parent;
+        old_parent.into_iter().for_each(|p| self.touch(p));
         let siblings = self.siblings(old_parent);
         let old_position = siblings.iter().rposition(|c| *c == id).unwrap_or(0);
         if old_parent != parent || position.is_some() {

@@ -2,10 +2,12 @@
 
 use std::collections::{HashMap, HashSet};
 
+use serde::{Deserialize, Serialize};
+
 use crate::{Database, ObjectId, undo::Change};
 
 /// One cell of one object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct CellKey {
     pub object: ObjectId,
     pub cell: u16,
@@ -60,6 +62,7 @@ impl Database {
         if reads.is_empty() && !self.dependencies.reads.contains_key(&cell) {
             return;
         }
+        self.touch(cell.object);
         let old = self.dependencies.replace(cell, reads);
         self.record(Change::Reads { cell, old });
     }

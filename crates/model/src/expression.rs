@@ -1,16 +1,18 @@
 //! Expressions bound to objects. Names are held as references, so an expression follows a
 //! renaming; `expressions` parses, evaluates and prints them.
 
-use crate::ObjectId;
+use serde::{Deserialize, Serialize};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use crate::{ObjectId, stored};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum UnaryOperator {
     Negate,
     Plus,
     Not,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BinaryOperator {
     Power,
     Multiply,
@@ -100,7 +102,8 @@ impl Node {
 }
 
 /// A kept expression.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "Vec<stored::Step>", try_from = "Vec<stored::Step>")]
 pub struct Expression {
     pub root: Node,
 }

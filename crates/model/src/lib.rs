@@ -13,6 +13,7 @@ mod index;
 mod names;
 mod pose;
 mod settings;
+mod stored;
 mod undo;
 
 pub use cell::{Array, Cell, FunctionText, Piece, Source, Value};
@@ -22,4 +23,5 @@ pub use expression::{BinaryOperator, Expression, Node, UnaryOperator};
 pub use names::{name_steps, quoted, split_name};
 pub use pose::{Pose, Sequence, angles_of, rotation_of};
 pub use settings::{CoordinateSystem, Settings, UnitsId};
+pub use stored::StoredObject;
 pub use undo::Mark;

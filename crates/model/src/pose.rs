@@ -29,7 +29,7 @@ impl Pose {
 }
 
 /// One of the 24 rotation sequences: axes 0..2 in order, about body or space axes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Sequence {
     pub body: bool,
     pub axes: [u8; 3],

@@ -2,14 +2,16 @@
 
 use indexmap::IndexMap;
 use schema::UnitSystem;
+use serde::{Deserialize, Serialize};
 
 use crate::{ObjectId, Sequence};
 
 /// Index of a unit system in [`crate::Database::unit_systems`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct UnitsId(pub u16);
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum CoordinateSystem {
     Cartesian,
     Cylindrical,

@@ -175,7 +175,10 @@ impl Database {
             Change::Settings { old } => Change::Settings { old: Box::new(std::mem::replace(&mut self.settings, *old)) },
             Change::Current { old } => Change::Current { old: self.swap_current(old) },
             Change::Frame { old } => Change::Frame { old: std::mem::replace(&mut self.settings.default_frame, old) },
-            Change::Reads { cell, old } => Change::Reads { cell, old: self.dependencies.replace(cell, old) },
+            Change::Reads { cell, old } => {
+                self.touch(cell.object);
+                Change::Reads { cell, old: self.dependencies.replace(cell, old) }
+            }
         }
     }
 }
