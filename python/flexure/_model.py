@@ -170,7 +170,7 @@ class Model:
         return self._native.redo()
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes `.cmd` or `.adm`; what the file does not hold is added to `warnings`."""
+        """Writes `.cmd`, `.adm` or `.fx`; what the file does not hold is added to `warnings`."""
         self._keep(self._native.write(os.fspath(path)))
 
     def _keep(self, native: list[dict[str, object]]) -> None:

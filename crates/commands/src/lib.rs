@@ -26,6 +26,7 @@ mod number;
 mod objects;
 mod place;
 mod program;
+mod state;
 mod statement;
 mod tree;
 mod values;

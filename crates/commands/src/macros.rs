@@ -453,6 +453,30 @@ fn substitute(body: &str, values: &[(String, String)]) -> String {
     text
 }
 
+impl Macros {
+    /// Defaults that calls have changed (`ud`), by macro and parameter.
+    pub(crate) fn updated_defaults(&self) -> Vec<(ObjectId, Vec<(&str, &str)>)> {
+        let mut found: Vec<_> = Vec::new();
+        for (id, known) in &self.known {
+            let changing = known.formals.iter().filter(|f| f.updated);
+            let defaults: Vec<_> = changing.filter_map(|f| Some((f.name.as_str(), f.default.as_deref()?))).collect();
+            if !defaults.is_empty() {
+                found.push((*id, defaults));
+            }
+        }
+        found.sort_unstable_by_key(|(id, _)| *id);
+        found
+    }
+
+    /// Puts a changed default back.
+    pub(crate) fn update_default(&mut self, id: ObjectId, parameter: &str, value: &str) {
+        let formals = self.known.get_mut(&id).map(|m| m.formals.as_mut_slice()).unwrap_or_default();
+        for formal in formals.iter_mut().filter(|f| f.updated && f.name == parameter) {
+            formal.default = Some(value.to_string());
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -17,7 +17,6 @@ mod registry;
 pub mod runtime;
 pub mod shape;
 pub mod shelf;
-pub mod system;
 #[cfg(test)]
 mod testing;
 pub mod verify;

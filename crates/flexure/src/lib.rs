@@ -4,6 +4,7 @@
 mod attributes;
 mod engine;
 mod modes;
+mod persistence;
 mod run;
 mod session;
 mod settings;

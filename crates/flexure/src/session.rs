@@ -14,6 +14,7 @@ use text::{Diagnostic, Format, Sources, render};
 use crate::attributes::{self, Attribute};
 use crate::engine::{Engine, write_data_set};
 use crate::modes::ModesReport;
+use crate::persistence::Persistence;
 use crate::run::{Run, RunObserver};
 use crate::settings::SimulationOptions;
 
@@ -38,9 +39,10 @@ pub struct Verification {
 
 /// A session.
 pub struct Session {
-    interpreter: Interpreter,
+    pub(crate) interpreter: Interpreter,
     engine: Arc<Mutex<Engine>>,
     journal: Option<JournalFile>,
+    pub(crate) persistence: Persistence,
 }
 
 struct JournalFile {
@@ -60,7 +62,8 @@ impl Session {
         let engine = Arc::new(Mutex::new(Engine::default()));
         let mut interpreter = Interpreter::with_host(elements::registry(), Box::new(EngineHost(engine.clone())));
         interpreter.on_error = OnError::IgnoreCommand;
-        Session { interpreter, engine, journal: None }
+        let persistence = Persistence::of(&interpreter.database);
+        Session { interpreter, engine, journal: None, persistence }
     }
 
     fn engine(&self) -> MutexGuard<'_, Engine> {
@@ -121,9 +124,10 @@ impl Session {
     }
 
     /// Runs something on the interpreter and keeps the journal file up to date.
-    fn journalled(&mut self, run: impl FnOnce(&mut Interpreter) -> Report) -> Report {
+    fn journalled(&mut self, command: &str, run: impl FnOnce(&mut Interpreter) -> Report) -> Report {
         let mut report = run(&mut self.interpreter);
         self.write_journal(&mut report);
+        self.save(&mut report, command);
         report
     }
 
@@ -134,12 +138,16 @@ impl Session {
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         if let Some((_, what)) = NOT_READ.iter().find(|(known, _)| *known == extension) {
             let text = format!("{} is {what}; Flexure does not read that yet", path.display());
-            let refusal =
-                Diagnostic::error("file/not-read-yet", text).help("Adams View command files (.cmd, .mac) are read");
+            let refusal = Diagnostic::error("file/not-read-yet", text)
+                .help("Adams View command files (.cmd, .mac) and models of Flexure (.fx) are read");
             return Report { failed: 1, diagnostics: vec![refusal], ..Report::default() };
         }
         self.engine().folder = path.parent().map(Path::to_path_buf);
-        self.journalled(|interpreter| interpreter.run_file(path))
+        if extension == "fx" {
+            return self.read_store(path);
+        }
+        let command = format!("file command read file_name = \"{}\"", path.display());
+        self.journalled(&command, |interpreter| interpreter.run_file(path))
     }
 
     /// Executes bytes as the text of a command file.
@@ -147,7 +155,7 @@ impl Session {
         let mut sources = Sources::default();
         let file = sources.add_bytes(name, bytes);
         let text = sources.text(file).to_string();
-        self.journalled(|interpreter| interpreter.run_text(name, &text))
+        self.journalled(&text, |interpreter| interpreter.run_text(name, &text))
     }
 
     /// The report of a file that cannot be read.
@@ -158,17 +166,21 @@ impl Session {
 
     /// Executes command text.
     pub fn execute(&mut self, text: &str) -> Report {
-        self.journalled(|interpreter| interpreter.execute(text))
+        self.journalled(text, |interpreter| interpreter.execute(text))
     }
 
     /// Takes the last step back; false if there is none.
     pub fn undo(&mut self) -> bool {
-        self.interpreter.database.undo()
+        let undone = self.interpreter.database.undo();
+        self.save(&mut Report { executed: usize::from(undone), ..Report::default() }, "undo backward");
+        undone
     }
 
     /// Does the step undone last again; false if there is none.
     pub fn redo(&mut self) -> bool {
-        self.interpreter.database.redo()
+        let redone = self.interpreter.database.redo();
+        self.save(&mut Report { executed: usize::from(redone), ..Report::default() }, "undo forward");
+        redone
     }
 
     // ---- looking ----
@@ -293,13 +305,16 @@ impl Session {
         total
     }
 
-    /// Writes the current model as `.cmd` or `.adm`; returns what of the model the file does not hold.
+    /// Writes the current model as `.cmd`, `.adm` or `.fx`; returns what of the model the file does not hold.
     ///
     /// # Errors
     /// If the format is unknown, no file could stand for the model, or it cannot be written.
     pub fn write(&mut self, path: &Path) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-        let model = self.model_or_error()?;
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        if extension == "fx" {
+            return self.write_store(path).map(|()| Vec::new());
+        }
+        let model = self.model_or_error()?;
         match extension.as_str() {
             "adm" => write_data_set(&mut self.interpreter.database, model, path),
             "cmd" => {
@@ -309,7 +324,7 @@ impl Session {
             }
             other => Err(vec![
                 Diagnostic::error("file/unknown-format", format!("a model cannot be written as `.{other}`"))
-                    .help("`.cmd` and `.adm` are written"),
+                    .help("`.cmd`, `.adm` and `.fx` are written"),
             ]),
         }
     }

@@ -1,4 +1,0 @@
-//! A contact between shapes of two bodies.
-
-pub mod schema;
-pub use schema::CLASS;

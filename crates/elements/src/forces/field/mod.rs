@@ -1,4 +1,0 @@
-//! A field element: six loads from six deformations through full matrices.
-
-pub mod schema;
-pub use schema::CLASS;

@@ -1,4 +1,0 @@
-//! Friction in a joint.
-
-pub mod schema;
-pub use schema::CLASS;

@@ -1,4 +1,0 @@
-//! A torque of three components given by functions.
-
-pub mod schema;
-pub use schema::CLASS;

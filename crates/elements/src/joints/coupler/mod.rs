@@ -1,4 +1,0 @@
-//! A coupler: the coordinates of two or three joints are proportional.
-
-pub mod schema;
-pub use schema::CLASS;

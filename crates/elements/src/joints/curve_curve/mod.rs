@@ -1,4 +1,0 @@
-//! Two curves that stay in touch.
-
-pub mod schema;
-pub use schema::CLASS;

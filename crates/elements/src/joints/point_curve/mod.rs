@@ -1,4 +1,0 @@
-//! A point of one body that stays on a curve of another.
-
-pub mod schema;
-pub use schema::CLASS;

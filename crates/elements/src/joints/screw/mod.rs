@@ -1,4 +1,0 @@
-//! A screw: I moves along z of J as it turns.
-
-pub mod schema;
-pub use schema::CLASS;

@@ -1,4 +1,0 @@
-//! A linear system as four matrices.
-
-pub mod schema;
-pub use schema::CLASS;

@@ -1,4 +1,0 @@
-//! A linear system as a ratio of polynomials.
-
-pub mod schema;
-pub use schema::CLASS;
