@@ -14,7 +14,8 @@ use crate::{
 const STANDARD: &[&str] = &["name", "full_name", "short_name", "parent", "self", "children", "type"];
 
 /// Short names of database fields and the command parameters they mean.
-const ALIASES: &[(&str, &str)] = &[("i", "i_marker_name"), ("j", "j_marker_name"), ("ref_marker", "ref_marker_name")];
+pub(crate) const ALIASES: &[(&str, &str)] =
+    &[("i", "i_marker_name"), ("j", "j_marker_name"), ("ref_marker", "ref_marker_name")];
 
 /// What an attribute name means on an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,12 +158,7 @@ impl Evaluator<'_> {
 
     /// The value of a design variable: real, integer, text or objects, whichever it has.
     pub fn variable(&mut self, id: ObjectId) -> Outcome<Value> {
-        let object = self.scope.database.object(id);
-        let mut cells = ["real_value", "integer_value", "string_value", "object_value"]
-            .into_iter()
-            .filter_map(|name| object.class.cell_index(name));
-        let set = cells.find(|&c| object.cells.get(c).is_some_and(Option::is_some));
-        match set.or_else(|| object.class.cell_index("real_value")) {
+        match value_cell(self.scope.database, id) {
             Some(index) => self.field(id, index),
             None => Ok(Value::Object(id)),
         }
@@ -173,6 +169,15 @@ impl Evaluator<'_> {
         let units = self.scope.database.text(id, "units");
         units.and_then(Quantity::named).map_or(Dimension::NONE, |q| q.dimension)
     }
+}
+
+/// The cell that holds the value of a design variable.
+pub(crate) fn value_cell(database: &Database, id: ObjectId) -> Option<usize> {
+    let object = database.get(id)?;
+    let cells = ["real_value", "integer_value", "string_value", "object_value"];
+    let mut cells = cells.into_iter().filter_map(|name| object.class.cell_index(name));
+    let set = cells.find(|&c| object.cells.get(c).is_some_and(Option::is_some));
+    set.or_else(|| object.class.cell_index("real_value"))
 }
 
 pub(crate) fn deleted() -> Box<text::Diagnostic> {

@@ -214,6 +214,10 @@ impl Binder<'_> {
             let value = self.evaluated(whole)?.value;
             return self.literal(&value, whole.span);
         }
+        if function == command::RANGE {
+            let arguments = self.nodes(arguments)?;
+            return Some(Node::Call { function: command::RANGE.into(), arguments });
+        }
         let Some(known) = functions::find(function) else {
             let bound = self.nodes(arguments);
             let line = self.bracketed(function_span);

@@ -146,7 +146,25 @@ impl<'a> Evaluator<'a> {
         crate::names::object_or_problem(&value, &self.scope)
     }
 
-    fn index(&mut self, node: &Node) -> Outcome<usize> {
+    /// One index, or the first and the last of a stretch.
+    fn index(&mut self, node: &Node) -> Outcome<(usize, usize, bool)> {
+        if let Node::Call { function, arguments } = node
+            && &**function == syntax::command::RANGE
+            && let [first, last] = arguments.as_slice()
+        {
+            let (first, last) = (self.position(first)?, self.position(last)?);
+            if first > last {
+                return Err(problem(
+                    "expression/index-out-of-range",
+                    format!("elements are counted upwards; {first}:{last} has none"),
+                ));
+            }
+            return Ok((first, last, false));
+        }
+        self.position(node).map(|i| (i, i, true))
+    }
+
+    fn position(&mut self, node: &Node) -> Outcome<usize> {
         let value = self.node(node)?;
         let x = value.as_number().ok_or_else(|| arithmetic::not_a_number(&value))?;
         if x.fract() == 0.0 && (1.0..1e15).contains(&x) {
@@ -263,28 +281,54 @@ fn mixed(value: &Value) -> Box<Diagnostic> {
     problem("expression/mixed-array", format!("{} cannot be an element of this array", describe(value)))
 }
 
-/// Element `[i]` or `[row, column]` of a value, counted from 1.
-fn element(value: &Value, indices: &[usize]) -> Outcome<Value> {
+/// Element `[i]` or `[row, column]` of a value, counted from 1, or the elements of a stretch.
+fn element(value: &Value, indices: &[(usize, usize, bool)]) -> Outcome<Value> {
     let out = |index: usize, length: usize| {
         problem("expression/index-out-of-range", format!("there is no element {index}; there are {length}"))
     };
     match (value, indices) {
-        (Value::Array(a), [i]) => a.values.get(i - 1).map(|x| Value::Number(*x)).ok_or_else(|| out(*i, a.values.len())),
-        (Value::Array(a), [row, column]) => {
-            if *row > a.rows {
-                return Err(out(*row, a.rows));
+        (Value::Array(a), [rows, columns]) => {
+            if rows.1 > a.rows {
+                return Err(out(rows.1, a.rows));
             }
-            a.values
-                .get((column - 1) * a.rows + row - 1)
-                .map(|x| Value::Number(*x))
-                .ok_or_else(|| out(*column, a.columns))
+            if columns.1 > a.columns {
+                return Err(out(columns.1, a.columns));
+            }
+            let chosen = (columns.0..=columns.1).flat_map(|c| (rows.0..=rows.1).map(move |r| (c - 1) * a.rows + r - 1));
+            let values: Vec<f64> = chosen.filter_map(|i| a.values.get(i).copied()).collect();
+            Ok(match values.as_slice() {
+                [x] if rows.2 && columns.2 => Value::Number(*x),
+                _ => Value::Array(Array { rows: rows.1 - rows.0 + 1, columns: columns.1 - columns.0 + 1, values }),
+            })
         }
-        (Value::Texts(list), [i]) => list.get(i - 1).cloned().map(Value::Text).ok_or_else(|| out(*i, list.len())),
-        (Value::Objects(list), [i]) => list.get(i - 1).map(|o| Value::Object(*o)).ok_or_else(|| out(*i, list.len())),
-        (Value::Number(_) | Value::Integer(_) | Value::Text(_) | Value::Object(_), [1]) => Ok(value.clone()),
-        (Value::Number(_) | Value::Integer(_) | Value::Text(_) | Value::Object(_), [i]) => Err(out(*i, 1)),
-        (other, _) => Err(problem("expression/not-indexable", format!("{} has no such elements", describe(other)))),
+        (value, &[(first, last, single)]) => {
+            let length = match value {
+                Value::Array(a) => a.values.len(),
+                Value::Texts(list) => list.len(),
+                Value::Objects(list) => list.len(),
+                Value::Number(_) | Value::Integer(_) | Value::Text(_) | Value::Object(_) => 1,
+                other => return Err(not_indexable(other)),
+            };
+            if last > length {
+                return Err(out(last, length));
+            }
+            let chosen = first - 1..last;
+            Ok(match value {
+                Value::Array(a) if single => Value::Number(a.values[first - 1]),
+                Value::Array(a) => Value::Array(Array::column(a.values[chosen].to_vec())),
+                Value::Texts(list) if single => Value::Text(list[first - 1].clone()),
+                Value::Texts(list) => Value::Texts(list[chosen].to_vec()),
+                Value::Objects(list) if single => Value::Object(list[first - 1]),
+                Value::Objects(list) => Value::Objects(list[chosen].to_vec()),
+                other => other.clone(),
+            })
+        }
+        (other, _) => Err(not_indexable(other)),
     }
+}
+
+fn not_indexable(value: &Value) -> Box<Diagnostic> {
+    problem("expression/not-indexable", format!("{} has no such elements", describe(value)))
 }
 
 /// A function may overflow where its arguments are finite.

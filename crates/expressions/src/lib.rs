@@ -8,6 +8,7 @@
 //! changed cells. [`print`] writes the normalised text that exports show.
 
 mod scope;
+mod world;
 
 mod names;
 
@@ -31,3 +32,4 @@ pub use functions::{FunctionInfo, functions, refused_functions};
 pub use names::{find_object, object_of};
 pub use print::{number_text, print};
 pub use scope::Scope;
+pub use world::World;

@@ -73,6 +73,14 @@ fn write(node: &Node, least: u8, database: &Database, out: &mut String) {
             write(inner, 11, database, out);
             list('[', indices, ']', database, out);
         }
+        Node::Call { function, arguments } if &**function == syntax::command::RANGE => {
+            for (i, end) in arguments.iter().enumerate() {
+                if i > 0 {
+                    out.push(':');
+                }
+                write(end, 2, database, out);
+            }
+        }
         Node::Call { function, arguments } => {
             out.push_str(function);
             list('(', arguments, ')', database, out);

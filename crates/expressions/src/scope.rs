@@ -3,6 +3,8 @@
 use model::{Database, ObjectId};
 use text::{Diagnostic, Sources};
 
+use crate::World;
+
 /// Errors travel boxed inside this room: a diagnostic is large and rare.
 pub(crate) type Outcome<T> = Result<T, Box<Diagnostic>>;
 
@@ -21,12 +23,14 @@ pub struct Scope<'a> {
     /// Frame of those answers when the owner does not exist yet: its future parent.
     pub frame: Option<ObjectId>,
     pub sources: &'a Sources,
+    /// The world outside; none: it may be looked at, but nothing is changed and nothing printed.
+    pub world: Option<&'a World>,
 }
 
 impl<'a> Scope<'a> {
     /// An expression that belongs to no object: frames are global.
     pub fn new(database: &'a Database, sources: &'a Sources) -> Scope<'a> {
-        Scope { database, owner: None, frame: None, sources }
+        Scope { database, owner: None, frame: None, sources, world: None }
     }
 
     /// The expression fills a cell of an existing object.
@@ -39,6 +43,12 @@ impl<'a> Scope<'a> {
     #[must_use]
     pub fn in_frame(self, parent: ObjectId) -> Scope<'a> {
         Scope { frame: Some(parent), ..self }
+    }
+
+    /// The expression belongs to a session with these surroundings.
+    #[must_use]
+    pub fn in_world(self, world: &'a World) -> Scope<'a> {
+        Scope { world: Some(world), ..self }
     }
 
     /// Object in whose frame the owner's locations are stored; none: global.

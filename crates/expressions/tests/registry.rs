@@ -22,7 +22,7 @@ fn every_function_is_listed_with_its_arguments() {
     assert_eq!(of("LOC_RELATIVE_TO"), Some((2, 2, "location")));
     assert_eq!(of("DX"), Some((1, 3, "modelling")));
     assert_eq!(of("INTERP1"), Some((3, 4, "interpolation")));
-    assert_eq!(of("GETCWD"), Some((0, 0, "system")));
+    assert_eq!(of("GETCWD"), Some((0, 0, "file")));
 }
 
 /// Truth: the text of the real log for LOC_RELATIVE_TO; a listed count is the count that is checked.

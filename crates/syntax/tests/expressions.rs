@@ -50,6 +50,8 @@ fn names_calls_indices_and_attributes() {
         "eval((- (at (of stoo((// .mdi.t \".s\")) location) 1.0) 20.0))"
     );
     assert_eq!(tree("m[1, 2].a.b"), "(of (at m 1.0 2.0) a.b)");
+    assert_eq!(tree("m[4:6]"), "(at m :(4.0 6.0))");
+    assert_eq!(tree("m[1, i+1:j]"), "(at m 1.0 :((+ i 1.0) j))");
     assert_eq!(tree("time()"), "time()");
     assert_eq!(tree("ABS ( x )"), "ABS(x)");
     assert_eq!(tree("IF(x: 1, 2, a ? b : c)"), "IF(x 1.0 2.0 (? a b c))");

@@ -1,14 +1,12 @@
 //! Functions that ask the modelling database about objects and their cells.
 
-use model::{Cell, Database, ObjectId, Source, Value, quoted};
-use schema::{Dimension, Kind};
+use model::{Database, ObjectId, Value, quoted};
 
 use super::{Arguments, Function, function, momentary, strings::matches};
 use crate::{
     arithmetic::flag,
-    attributes::{Attribute, attribute, type_word},
+    attributes::{attribute, type_word},
     names::{Steps, find_object, reach},
-    print::{number_text, print},
     scope::Outcome,
 };
 
@@ -23,6 +21,9 @@ pub const TABLE: &[Function] = &[
             next = a.database().object(parent).parent;
         }
         Ok(Value::Nothing)
+    }),
+    momentary("DB_CHANGED", "", "1 if the model has been changed in this session", |a| {
+        Ok(flag(a.database().revision() > 0))
     }),
     function("DB_CHILDREN", "object, type", "all objects of a type below an object", |a| below(a, usize::MAX)),
     function("DB_COUNT", "object, field", "number of values in a field", |a| {
@@ -44,6 +45,10 @@ pub const TABLE: &[Function] = &[
         let wanted = a.text(1)?.to_ascii_lowercase();
         let found = current(a.database(), &wanted);
         Ok(Value::Text(found.map_or_else(String::new, |o| a.database().full_name(o))))
+    }),
+    function("DB_DEFAULT_NAME_FOR_TYPE", "object, type", "shortest name that means an object", |a| {
+        a.text(1)?;
+        Ok(Value::Text(short_name(a.database(), a.object(0)?)))
     }),
     function(
         "DB_DESCENDANTS",
@@ -95,6 +100,22 @@ pub const TABLE: &[Function] = &[
         let (parent, name) = (a.object(0)?, a.text(1)?);
         Ok(flag(!a.database().children_named(Some(parent), &name).is_empty()))
     }),
+    function("DB_OBJ_EXISTS_EXHAUSTIVE", "parent, name", "1 if anything below an object has this name", |a| {
+        let (parent, name) = (a.object(0)?, a.text(1)?);
+        Ok(flag(named_below(a.database(), parent, &name).next().is_some()))
+    }),
+    function("DB_OBJ_FROM_NAME_TYPE", "parent, name, type", "object of a name and type below another", |a| {
+        let (parent, name, wanted) = (a.object(0)?, a.text(1)?, a.text(2)?);
+        let database = a.database();
+        let found = named_below(database, parent, &name).find(|o| is_type(database, *o, &wanted));
+        Ok(found.map_or(Value::Nothing, Value::Object))
+    }),
+    function("DB_OLDEST_ANCESTOR", "object, type", "highest object of a type above an object", |a| {
+        let (object, wanted) = (a.object(0)?, a.text(1)?);
+        let database = a.database();
+        let above = std::iter::successors(database.object(object).parent, |o| database.object(*o).parent);
+        Ok(above.filter(|o| is_type(database, *o, &wanted)).last().map_or(Value::Nothing, Value::Object))
+    }),
     function("DB_OF_CLASS", "object, type", "1 if an object is of a type or class", |a| {
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         Ok(flag(is_type(a.database(), object, &wanted)))
@@ -107,11 +128,6 @@ pub const TABLE: &[Function] = &[
         Ok(Value::Text(short_name(a.database(), a.object(0)?)))
     }),
     function("DB_TYPE", "object", "type of an object", |a| Ok(Value::Text(type_word(a.database(), a.object(0)?)))),
-    function("EXPR_EXISTS", "field", "1 if a field holds an expression", |a| Ok(flag(!expression_text(a)?.is_empty()))),
-    function("EXPR_STRING", "field", "text of the expression in a field", |a| Ok(Value::Text(expression_text(a)?))),
-    function("PARAM_STRING", "field", "value of a field as a command file writes it", |a| {
-        Ok(Value::Text(parameter_text(a)?))
-    }),
     momentary("UNIQUE_FULL_NAME", "type", "full name that is free for a new object of a type", |a| {
         let wanted = a.text(0)?.to_ascii_lowercase();
         let under_part = matches!(wanted.as_str(), "marker" | "point");
@@ -135,6 +151,15 @@ pub const TABLE: &[Function] = &[
         let (parent, base) = (a.object(0)?, a.text(1)?);
         Ok(Value::Text(unique_below(a.database(), Some(parent), &base)))
     }),
+    momentary(
+        "UNIQUE_PARTIAL_NAME",
+        "parent, type",
+        "name that is free for a new object of a type below a parent",
+        |a| {
+            let (parent, wanted) = (a.object(0)?, a.text(1)?);
+            Ok(Value::Text(unique_below(a.database(), Some(parent), &wanted.trim().to_ascii_uppercase())))
+        },
+    ),
     momentary("UNIQUE_NAME", "base", "name that no object has", |a| {
         let base = a.text(0)?;
         Ok(Value::Text(unique_anywhere(a.database(), &base)))
@@ -145,12 +170,19 @@ pub const TABLE: &[Function] = &[
     }),
 ];
 
+/// Objects of a name below another, level by level within each branch.
+fn named_below<'d>(database: &'d Database, parent: ObjectId, name: &str) -> impl Iterator<Item = ObjectId> + 'd {
+    let name = name.trim().to_string();
+    let all = database.subtree(parent).into_iter().skip(1);
+    all.filter(move |o| database.get(*o).is_some_and(|o| o.name.eq_ignore_ascii_case(&name)))
+}
+
 fn count(n: usize) -> Value {
     Value::Integer(n as i64)
 }
 
 /// Whether an object is of a type or class as DB_TYPE names it.
-fn is_type(database: &Database, object: ObjectId, wanted: &str) -> bool {
+pub(super) fn is_type(database: &Database, object: ObjectId, wanted: &str) -> bool {
     let wanted = wanted.trim().to_ascii_lowercase();
     matches!(wanted.as_str(), "all" | "any" | "adams")
         || database
@@ -230,73 +262,4 @@ fn unique_anywhere(database: &Database, base: &str) -> String {
         n += 1;
     }
     format!("{base}_{n}")
-}
-
-/// The cell that a text such as `mar1.location` names: its owner, field index and content.
-fn named_cell<'a>(a: &'a Arguments) -> Outcome<(ObjectId, usize, Option<&'a Cell>)> {
-    let name = a.text(0)?;
-    let database = a.database();
-    let wrong = || a.error(format!("\"{name}\" names no field of an object"));
-    let steps = Steps::of(name.trim());
-    let reached = reach(database, &steps).map_err(|_| wrong())?;
-    let [field] = &steps.names[reached.steps..] else { return Err(wrong()) };
-    match attribute(database, reached.object, field) {
-        Some(Attribute::Field(index)) => {
-            Ok((reached.object, index, database.object(reached.object).cells.get(index).and_then(Option::as_ref)))
-        }
-        _ => Err(wrong()),
-    }
-}
-
-/// Dimension of the field that a text names.
-pub(super) fn dimension_of(a: &Arguments) -> Outcome<Dimension> {
-    let (object, index, _) = named_cell(a)?;
-    let database = a.database();
-    let class = database.object(object).class;
-    if class.id == "variable" {
-        let units = database.text(object, "units").and_then(schema::Quantity::named);
-        return Ok(units.map_or(Dimension::NONE, |q| q.dimension));
-    }
-    Ok(class.field(index).dimension)
-}
-
-fn expression_text(a: &Arguments) -> Outcome<String> {
-    let (_, _, cell) = named_cell(a)?;
-    Ok(match cell.map(|c| &c.source) {
-        Some(Source::Expression(e)) => format!("({})", print(e, a.database())),
-        Some(Source::Elements(list)) => {
-            list.iter().flatten().map(|e| format!("({})", print(e, a.database()))).collect::<Vec<_>>().join(", ")
-        }
-        _ => String::new(),
-    })
-}
-
-fn parameter_text(a: &Arguments) -> Outcome<String> {
-    let (object, index, cell) = named_cell(a)?;
-    let database = a.database();
-    let Some(cell) = cell else { return Ok(String::new()) };
-    if let Source::Expression(e) = &cell.source {
-        return Ok(format!("({})", print(e, database)));
-    }
-    let field = database.object(object).class.field(index);
-    let suffix = if field.kind == Kind::Orientation && database.units().angle.name == "degrees" { "d" } else { "" };
-    let number = |x: f64| format!("{}{suffix}", number_text(x));
-    let quote = |t: &String| format!("\"{t}\"");
-    Ok(match &cell.value {
-        Value::Text(text) => quote(text),
-        Value::Texts(list) => list.iter().map(quote).collect::<Vec<_>>().join(", "),
-        Value::Object(o) if database.get(*o).is_some() => database.full_name(*o),
-        Value::Objects(list) => list.iter().map(|o| database.full_name(*o)).collect::<Vec<_>>().join(", "),
-        Value::Integer(i) => i.to_string(),
-        Value::Flag(yes) => match field.kind {
-            Kind::Boolean(t, f) => if *yes { t } else { f }.to_string(),
-            _ => i32::from(*yes).to_string(),
-        },
-        Value::Function(f) => format!("\"{}\"", f.write(|o| database.full_name(o))),
-        Value::Nothing | Value::Object(_) => String::new(),
-        Value::Number(_) | Value::Array(_) => {
-            let numbers = database.numbers(object, field.name).unwrap_or_default();
-            numbers.into_iter().map(number).collect::<Vec<_>>().join(", ")
-        }
-    })
 }

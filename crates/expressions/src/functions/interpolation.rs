@@ -23,9 +23,13 @@ pub const TABLE: &[Function] = &[
     }),
 ];
 
-/// The points of a curve, x rising.
-fn curve(a: &Arguments) -> Outcome<(Vec<f64>, Vec<f64>)> {
-    let (x, y) = (a.numbers(0)?, a.numbers(1)?);
+/// The points of a curve, x rising, from the first two arguments.
+pub(super) fn curve(a: &Arguments) -> Outcome<(Vec<f64>, Vec<f64>)> {
+    checked_curve(a, a.numbers(0)?, a.numbers(1)?)
+}
+
+/// Refuses what is no curve.
+pub(super) fn checked_curve(a: &Arguments, x: Vec<f64>, y: Vec<f64>) -> Outcome<(Vec<f64>, Vec<f64>)> {
     if x.len() != y.len() || x.len() < 2 {
         return Err(a.error(format!("{} x values and {} y values make no curve", x.len(), y.len())));
     }
@@ -36,17 +40,17 @@ fn curve(a: &Arguments) -> Outcome<(Vec<f64>, Vec<f64>)> {
 }
 
 /// Index of the piece in which x lies; the end pieces reach outwards.
-fn piece(x: &[f64], at: f64) -> usize {
+pub(super) fn piece(x: &[f64], at: f64) -> usize {
     x.partition_point(|p| *p <= at).clamp(1, x.len() - 1) - 1
 }
 
-fn linear(x: &[f64], y: &[f64], at: f64) -> f64 {
+pub(super) fn linear(x: &[f64], y: &[f64], at: f64) -> f64 {
     let i = piece(x, at);
     y[i] + (y[i + 1] - y[i]) * (at - x[i]) / (x[i + 1] - x[i])
 }
 
 /// Cubic between two points with given slopes.
-fn hermite(x: &[f64], y: &[f64], slopes: &[f64], at: f64) -> f64 {
+pub(super) fn hermite(x: &[f64], y: &[f64], slopes: &[f64], at: f64) -> f64 {
     let i = piece(x, at);
     let h = x[i + 1] - x[i];
     let s = (at - x[i]) / h;
@@ -91,7 +95,7 @@ fn interp1(a: &mut Arguments) -> Outcome<Value> {
 
 /// Slopes of the cubic spline whose third derivative is continuous at the second and the last but
 /// one point (not-a-knot).
-fn spline_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
+pub(super) fn spline_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     let n = x.len();
     let h: Vec<f64> = x.windows(2).map(|w| w[1] - w[0]).collect();
     let d: Vec<f64> = (0..n - 1).map(|i| (y[i + 1] - y[i]) / h[i]).collect();
@@ -132,7 +136,7 @@ fn spline_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
 }
 
 /// Slopes that keep the curve monotonic between its points (Fritsch and Butland).
-fn pchip_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
+pub(super) fn pchip_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     let n = x.len();
     let h: Vec<f64> = x.windows(2).map(|w| w[1] - w[0]).collect();
     let d: Vec<f64> = (0..n - 1).map(|i| (y[i + 1] - y[i]) / h[i]).collect();

@@ -18,12 +18,23 @@ pub const TABLE: &[Function] = &[
     }),
     function("ANYM", "values", "1 if any element is not zero", |a| Ok(flag(a.numbers(0)?.iter().any(|x| *x != 0.0)))),
     function("APPEND", "matrix, matrix", "columns of one matrix beside those of another", append),
+    function("CENTER", "values", "mean of the smallest and the largest element", |a| {
+        real(f64::midpoint(extreme(a, |x, y| x < y)?.1, extreme(a, |x, y| x > y)?.1))
+    }),
+    function("CLIP", "matrix, start, n", "n columns of a matrix, from a given one on", |a| {
+        let (m, start, n) = (a.array(0)?, a.count(1)?, a.count(2)?);
+        if start == 0 || start - 1 + n > m.columns {
+            return Err(a.error(format!("the matrix has {} columns", m.columns)));
+        }
+        let values = m.values[(start - 1) * m.rows..(start - 1 + n) * m.rows].to_vec();
+        Ok(Value::Array(Array { rows: m.rows, columns: n, values }))
+    }),
     function("COLS", "matrix", "number of columns", |a| Ok(count(a.array(0)?.columns))),
+    function("COMPRESS", "values", "elements that are neither zero nor empty; one such if all are", compressed),
     function("CONVERT_ANGLES", "orientation, sequence", "body 3-1-3 angles changed to another sequence", |a| {
         angles(a.rotation(0)?, a)
     }),
     function("CROSS", "vector, vector", "vector product", |a| location(a.vector(0)?.cross(a.vector(1)?))),
-    function("DET", "matrix", "determinant", |a| real(determinant(square(a)?))),
     function("DIFF", "values", "differences of neighbours", |a| {
         column(a.numbers(0)?.windows(2).map(|w| w[1] - w[0]).collect())
     }),
@@ -44,29 +55,44 @@ pub const TABLE: &[Function] = &[
         real(x.iter().zip(&y).map(|(x, y)| x * y).sum())
     }),
     function("ELEMENT", "values, x", "1 if x is among the values", |a| {
+        if let Some(list) = listed(a) {
+            let wanted = one_of_list(a, 1)?;
+            return Ok(flag(list.contains(&wanted)));
+        }
         let x = a.number(1)?;
         Ok(flag(a.numbers(0)?.contains(&x)))
     }),
     function("EXCLUDE", "values, x", "the values without x", |a| {
+        if let Some(list) = listed(a) {
+            let unwanted = one_of_list(a, 1)?;
+            return a.relisted(list.into_iter().filter(|v| *v != unwanted).collect());
+        }
         let x = a.number(1)?;
         column(a.numbers(0)?.into_iter().filter(|y| *y != x).collect())
     }),
-    function("FIRST", "values", "first element, zero if there is none", |a| {
-        real(a.numbers(0)?.first().copied().unwrap_or(0.0))
+    function("FIRST", "values", "first element, zero if there is none", |a| match listed(a) {
+        Some(list) => Ok(list.into_iter().next().unwrap_or(Value::Nothing)),
+        None => real(a.numbers(0)?.first().copied().unwrap_or(0.0)),
     }),
     function("FIRST_N", "values, n", "first n elements", |a| {
-        let (values, n) = (a.numbers(0)?, a.count(1)?);
+        let n = a.count(1)?;
+        if let Some(list) = listed(a) {
+            return a.relisted(list.into_iter().take(n).collect());
+        }
+        let values = a.numbers(0)?;
         column(values[..n.min(values.len())].to_vec())
     }),
-    function("INVERSE", "matrix", "inverse of a square matrix", |a| {
-        let matrix = square(a)?;
-        inverse(matrix).map(Value::Array).ok_or_else(|| a.error("the matrix is singular"))
-    }),
-    function("LAST", "values", "last element, zero if there is none", |a| {
-        real(a.numbers(0)?.last().copied().unwrap_or(0.0))
+    function("LAST", "values", "last element, zero if there is none", |a| match listed(a) {
+        Some(list) => Ok(list.into_iter().next_back().unwrap_or(Value::Nothing)),
+        None => real(a.numbers(0)?.last().copied().unwrap_or(0.0)),
     }),
     function("LAST_N", "values, n", "last n elements", |a| {
-        let (values, n) = (a.numbers(0)?, a.count(1)?);
+        let n = a.count(1)?;
+        if let Some(list) = listed(a) {
+            let skipped = list.len().saturating_sub(n);
+            return a.relisted(list.into_iter().skip(skipped).collect());
+        }
+        let values = a.numbers(0)?;
         column(values[values.len() - n.min(values.len())..].to_vec())
     }),
     function("MAX", "values", "largest element", |a| real(extreme(a, |x, y| x > y)?.1)),
@@ -77,7 +103,6 @@ pub const TABLE: &[Function] = &[
     }),
     function("MIN", "values", "smallest element", |a| real(extreme(a, |x, y| x < y)?.1)),
     function("MINI", "values", "position of the smallest element", |a| Ok(count(extreme(a, |x, y| x < y)?.0 + 1))),
-    function("NORM", "matrix", "largest singular value", |a| real(largest_singular_value(&a.array(0)?))),
     function("NORM2", "matrix", "square root of the sum of squares", |a| real(sum_of_squares(&a.numbers(0)?).sqrt())),
     function("NORMALIZE", "vector", "vector of length 1", |a| {
         let array = a.array(0)?;
@@ -98,6 +123,10 @@ pub const TABLE: &[Function] = &[
         }
     }),
     function("REVERSE", "values", "elements in reverse order", |a| {
+        if let Some(mut list) = listed(a) {
+            list.reverse();
+            return a.relisted(list);
+        }
         let mut array = a.array(0)?;
         array.values.reverse();
         Ok(Value::Array(array))
@@ -129,6 +158,11 @@ pub const TABLE: &[Function] = &[
         column(vec![array.rows as f64, array.columns as f64])
     }),
     function("SORT", "values, direction", "sorted elements; \"a\" ascending or \"d\" descending", |a| {
+        if let Value::Texts(list) = &a.values[0] {
+            let (mut list, down) = (list.clone(), descending(a)?);
+            list.sort_by(|x, y| if down { y.cmp(x) } else { x.cmp(y) });
+            return Ok(Value::Texts(list));
+        }
         let (mut array, down) = (a.array(0)?, descending(a)?);
         array.values.sort_by(|x, y| if down { y.total_cmp(x) } else { x.total_cmp(y) });
         Ok(Value::Array(array))
@@ -160,8 +194,27 @@ pub const TABLE: &[Function] = &[
         let rotation = rotation_of(sequence, angles.to_array());
         Ok(Value::Array(Array { rows: 3, columns: 3, values: rotation.to_cols_array().to_vec() }))
     }),
+    function("TMAT3", "angles, kind, axes", "rotation matrix of three angles; kind b or s, axes such as 313", |a| {
+        let word = match a.text(1)?.trim().to_ascii_lowercase().as_str() {
+            "b" => format!("body{}", a.integer(2)?),
+            "s" => format!("space{}", a.integer(2)?),
+            other => return Err(a.error(format!("the kind of rotation is \"b\" or \"s\", not \"{other}\""))),
+        };
+        let sequence = named_sequence(&word, a)?;
+        let rotation = rotation_of(sequence, (a.vector(0)? * a.angle_unit()).to_array());
+        Ok(Value::Array(Array { rows: 3, columns: 3, values: rotation.to_cols_array().to_vec() }))
+    }),
     function("TRANSPOSE", "matrix", "transposed matrix", |a| Ok(Value::Array(transposed(&a.array(0)?)))),
     function("UNIQUE", "values", "sorted elements, each once", |a| {
+        if let Some(list) = listed(a) {
+            let mut kept: Vec<Value> = Vec::new();
+            for value in list {
+                if !kept.contains(&value) {
+                    kept.push(value);
+                }
+            }
+            return a.relisted(kept);
+        }
         let mut values = a.numbers(0)?;
         values.sort_by(f64::total_cmp);
         values.dedup();
@@ -229,7 +282,53 @@ fn sorted_indices(values: &[f64], down: bool) -> Vec<usize> {
     order
 }
 
+/// The elements of an array of texts or objects; none for numbers.
+fn listed(a: &Arguments) -> Option<Vec<Value>> {
+    match &a.values[0] {
+        Value::Texts(list) => Some(list.iter().cloned().map(Value::Text).collect()),
+        Value::Objects(list) => Some(list.iter().copied().map(Value::Object).collect()),
+        Value::Text(_) | Value::Object(_) => Some(vec![a.values[0].clone()]),
+        _ => None,
+    }
+}
+
+/// An element to look for in the first argument, of its type.
+fn one_of_list(a: &Arguments, i: usize) -> Outcome<Value> {
+    match &a.values[0] {
+        Value::Objects(_) | Value::Object(_) => a.object(i).map(Value::Object),
+        _ => a.text(i).map(Value::Text),
+    }
+}
+
+impl Arguments<'_, '_> {
+    /// Elements as an array of the type of the first argument.
+    fn relisted(&self, list: Vec<Value>) -> Outcome<Value> {
+        Ok(match &self.values[0] {
+            Value::Objects(_) | Value::Object(_) => Value::Objects(list.iter().filter_map(Value::as_object).collect()),
+            _ => Value::Texts(
+                list.into_iter().filter_map(|v| if let Value::Text(text) = v { Some(text) } else { None }).collect(),
+            ),
+        })
+    }
+}
+
+fn compressed(a: &mut Arguments) -> Outcome<Value> {
+    if let Some(list) = listed(a) {
+        let mut kept: Vec<Value> =
+            list.into_iter().filter(|v| !matches!(v, Value::Text(t) if t.trim().is_empty())).collect();
+        if kept.is_empty() && matches!(a.values[0], Value::Texts(_) | Value::Text(_)) {
+            kept.push(Value::Text(String::new()));
+        }
+        return a.relisted(kept);
+    }
+    let kept: Vec<f64> = a.numbers(0)?.into_iter().filter(|x| *x != 0.0).collect();
+    column(if kept.is_empty() { vec![0.0] } else { kept })
+}
+
 fn append(a: &mut Arguments) -> Outcome<Value> {
+    if matches!(a.values[0], Value::Texts(_) | Value::Text(_) | Value::Objects(_) | Value::Object(_)) {
+        return stack(a);
+    }
     let (x, y) = (a.array(0)?, a.array(1)?);
     if x.values.is_empty() {
         return Ok(Value::Array(y));
@@ -265,14 +364,9 @@ fn stack(a: &mut Arguments) -> Outcome<Value> {
     Ok(Value::Array(Array { rows: x.rows + y.rows, columns: x.columns, values }))
 }
 
-fn transposed(m: &Array) -> Array {
+pub(super) fn transposed(m: &Array) -> Array {
     let values = (0..m.rows * m.columns).map(|k| m.values[(k % m.columns) * m.rows + k / m.columns]).collect();
     Array { rows: m.columns, columns: m.rows, values }
-}
-
-fn square(a: &Arguments) -> Outcome<Array> {
-    let m = a.array(0)?;
-    if m.rows == m.columns { Ok(m) } else { Err(a.error(format!("a {} x {} matrix is not square", m.rows, m.columns))) }
 }
 
 fn matrix3(a: &Arguments, i: usize) -> Outcome<DMat3> {
@@ -285,118 +379,14 @@ fn matrix3(a: &Arguments, i: usize) -> Outcome<DMat3> {
 }
 
 fn sequence(a: &Arguments) -> Outcome<Sequence> {
-    let word = a.text(1)?;
-    Sequence::named(&word).ok_or_else(|| a.error(format!("`{word}` is not one of the 24 rotation sequences")))
+    named_sequence(&a.text(1)?, a)
+}
+
+fn named_sequence(word: &str, a: &Arguments) -> Outcome<Sequence> {
+    Sequence::named(word).ok_or_else(|| a.error(format!("`{word}` is not one of the 24 rotation sequences")))
 }
 
 fn angles(rotation: DMat3, a: &Arguments) -> Outcome<Value> {
     let unit = a.angle_unit();
     column(sequence_angles(&rotation, sequence(a)?).iter().map(|x| x / unit).collect())
-}
-
-/// Gaussian elimination with row exchange on a column-major copy; calls `row_operation(pivot,
-/// other, factor)` for each elimination and `exchange` for each swap. Returns the determinant.
-fn eliminate(m: &mut Array, mut other: Option<&mut Array>) -> f64 {
-    let n = m.rows;
-    let mut determinant = 1.0;
-    for k in 0..n {
-        let pivot = (k..n).max_by(|i, j| m.values[k * n + i].abs().total_cmp(&m.values[k * n + j].abs())).unwrap_or(k);
-        if pivot != k {
-            determinant = -determinant;
-            for matrix in std::iter::once(&mut *m).chain(other.as_deref_mut()) {
-                for c in 0..n {
-                    matrix.values.swap(c * n + k, c * n + pivot);
-                }
-            }
-        }
-        let p = m.values[k * n + k];
-        determinant *= p;
-        if p == 0.0 {
-            return 0.0;
-        }
-        for i in 0..n {
-            // Without a right side, only what lies below matters.
-            if i == k || (other.is_none() && i < k) {
-                continue;
-            }
-            let factor = m.values[k * n + i] / p;
-            if factor == 0.0 {
-                continue;
-            }
-            for matrix in std::iter::once(&mut *m).chain(other.as_deref_mut()) {
-                for c in 0..n {
-                    let above = matrix.values[c * n + k];
-                    matrix.values[c * n + i] -= factor * above;
-                }
-            }
-        }
-    }
-    determinant
-}
-
-fn determinant(mut m: Array) -> f64 {
-    eliminate(&mut m, None)
-}
-
-fn inverse(mut m: Array) -> Option<Array> {
-    let n = m.rows;
-    let size = m.values.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
-    let mut result = Array { rows: n, columns: n, values: vec![0.0; n * n] };
-    for i in 0..n {
-        result.values[i * n + i] = 1.0;
-    }
-    eliminate(&mut m, Some(&mut result));
-    for i in 0..n {
-        let p = m.values[i * n + i];
-        // Rounding leaves pivots of about 1e-16 of the largest element in a singular matrix.
-        if p.abs() <= 1e-15 * size {
-            return None;
-        }
-        for c in 0..n {
-            result.values[c * n + i] /= p;
-        }
-    }
-    Some(result)
-}
-
-/// Square root of the largest eigenvalue of the smaller of A'A and AA', by Jacobi rotations.
-fn largest_singular_value(a: &Array) -> f64 {
-    if a.values.is_empty() {
-        return 0.0;
-    }
-    let t = transposed(a);
-    let gram = if a.rows < a.columns {
-        crate::arithmetic::matrix_product(a, &t)
-    } else {
-        crate::arithmetic::matrix_product(&t, a)
-    };
-    let n = gram.rows;
-    let mut g = gram.values;
-    for _ in 0..60 {
-        let mut off = 0.0;
-        for p in 0..n {
-            for q in p + 1..n {
-                let apq = g[q * n + p];
-                off += apq * apq;
-                if apq == 0.0 {
-                    continue;
-                }
-                let theta = (g[q * n + q] - g[p * n + p]) / (2.0 * apq);
-                let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
-                let (c, s) = (1.0 / t.hypot(1.0), t / t.hypot(1.0));
-                for k in 0..n {
-                    let (x, y) = (g[p * n + k], g[q * n + k]);
-                    (g[p * n + k], g[q * n + k]) = (c * x - s * y, s * x + c * y);
-                }
-                for k in 0..n {
-                    let (x, y) = (g[k * n + p], g[k * n + q]);
-                    (g[k * n + p], g[k * n + q]) = (c * x - s * y, s * x + c * y);
-                }
-            }
-        }
-        if off == 0.0 {
-            break;
-        }
-    }
-    (0..n).map(|i| g[i * n + i]).fold(0.0, f64::max).sqrt()
 }

@@ -16,15 +16,23 @@ use crate::{
     scope::{Outcome, problem},
 };
 
+mod complex;
+mod curves;
 mod database;
+mod dependents;
+mod fields;
+mod files;
 mod interpolation;
+mod linear;
 mod location;
+mod mass;
 mod math;
 mod matrix;
 mod modelling;
 mod orientation;
 mod print_format;
 mod strings;
+mod surfaces;
 mod system;
 mod units;
 mod unsupported;
@@ -82,12 +90,19 @@ const GROUPS: &[(&str, &[Function])] = &[
     ("location", location::TABLE),
     ("orientation", orientation::TABLE),
     ("modelling", modelling::TABLE),
+    ("modelling", mass::TABLE),
     ("math", math::TABLE),
     ("matrix", matrix::TABLE),
+    ("matrix", linear::TABLE),
     ("interpolation", interpolation::TABLE),
+    ("interpolation", curves::TABLE),
+    ("interpolation", surfaces::TABLE),
     ("string", strings::TABLE),
     ("database", database::TABLE),
+    ("database", dependents::TABLE),
+    ("database", fields::TABLE),
     ("units", units::TABLE),
+    ("file", files::TABLE),
     ("system", system::TABLE),
 ];
 

@@ -3,7 +3,7 @@
 use model::Value;
 use schema::{Dimension, Quantity, parse_unit_expression};
 
-use super::{Arguments, Function, database::dimension_of, function, real};
+use super::{Arguments, Function, fields::dimension_of, function, real};
 use crate::scope::Outcome;
 
 pub const TABLE: &[Function] = &[

@@ -28,7 +28,20 @@ const PLACE: &[Field] = &[
 ];
 
 pub static MODEL: Class = class("model", "Model", &[], &[]);
-pub static PART: Class = class("part", "Part", &["body"], &[group(PLACE)]);
+const MASS: &[Field] = &[
+    Field::new("active", schema::Kind::Boolean("on", "off")),
+    Field::real("mass", Dimension::MASS),
+    Field::object("center_of_mass_marker", "marker"),
+    Field::object("inertia_marker", "marker"),
+    Field::real("ixx", Dimension::INERTIA),
+    Field::real("iyy", Dimension::INERTIA),
+    Field::real("izz", Dimension::INERTIA),
+    Field::real("ixy", Dimension::INERTIA),
+    Field::real("izx", Dimension::INERTIA),
+    Field::real("iyz", Dimension::INERTIA),
+];
+
+pub static PART: Class = class("part", "Part", &["body"], &[group(PLACE), group(MASS)]);
 pub static MARKER: Class = class("marker", "Marker", &["frame"], &[group(PLACE)]);
 pub static VARIABLE: Class = class(
     "variable",

@@ -7,7 +7,7 @@
 use text::{Diagnostic, FileId, Span};
 
 use super::cursor::{self, Closing, is_blank, is_control, is_name};
-use super::tree::{BinaryOperator, Expression, ExpressionKind, UnaryOperator};
+use super::tree::{BinaryOperator, Expression, ExpressionKind, RANGE, UnaryOperator};
 use super::troubles::{out_of_range, unclosed_parenthesis, unclosed_quote, unexpected_character};
 use crate::number::{end_of_number, value_of};
 use crate::quoted::{end_of_string, unescape};
@@ -94,6 +94,37 @@ impl<'a> ExpressionParser<'a> {
                     };
                     return Err(self.unexpected(wanted));
                 }
+            }
+        }
+    }
+
+    /// Indices up to the closing bracket: single ones, or from the first to the last, `[4:6]`.
+    fn indices(&mut self) -> Trees {
+        let mut items = Vec::new();
+        let mut height = 0;
+        loop {
+            let (mut item, mut item_height) = self.expression()?;
+            if self.peek() == Some(b':') {
+                let colon = self.span(self.pos, self.pos + 1);
+                self.pos += 1;
+                let (last, last_height) = self.expression()?;
+                let span = item.span.to(last.span);
+                let kind = ExpressionKind::Call {
+                    function: RANGE.to_owned(),
+                    function_span: colon,
+                    arguments: vec![item, last],
+                };
+                (item, item_height) = self.node(span, kind, item_height.max(last_height))?;
+            }
+            height = height.max(item_height);
+            items.push(item);
+            match self.peek() {
+                Some(b',') => self.pos += 1,
+                Some(b']') => {
+                    self.pos += 1;
+                    return Ok((items, height));
+                }
+                _ => return Err(self.unexpected("`,`, `:` or `]`")),
             }
         }
     }
@@ -189,7 +220,7 @@ impl<'a> ExpressionParser<'a> {
             match self.bytes.get(self.pos).filter(|_| self.pos < self.end) {
                 Some(b'[') => {
                     self.pos += 1;
-                    let (indices, index_height) = self.list(Some(b']'))?;
+                    let (indices, index_height) = self.indices()?;
                     let span = inner.span.to(self.span(self.pos, self.pos));
                     let kind = ExpressionKind::Index(Box::new(inner), indices);
                     (inner, height) = self.node(span, kind, height.max(index_height))?;

@@ -16,5 +16,6 @@ pub use comments::{Comment, Comments, comments};
 pub use format::{Formatted, format};
 pub use parser::{Parser, parse, parse_expression};
 pub use tree::{
-    Argument, BinaryOperator, Expression, ExpressionKind, Item, ItemKind, Statement, StatementKind, UnaryOperator,
+    Argument, BinaryOperator, Expression, ExpressionKind, Item, ItemKind, RANGE, Statement, StatementKind,
+    UnaryOperator,
 };

@@ -82,6 +82,9 @@ pub enum BinaryOperator {
     Or,
 }
 
+/// Name of the call that `i:j` in an index is read as; no function can be named so.
+pub const RANGE: &str = ":";
+
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExpressionKind {
     /// `6inch`, `7801.0(kg/meter**3)`, `90d`: value as typed and the unit text without parentheses.
@@ -98,7 +101,7 @@ pub enum ExpressionKind {
         function_span: Span,
         arguments: Vec<Expression>,
     },
-    /// `a[i]`, `a[i, j]`.
+    /// `a[i]`, `a[i, j]`; `a[i:j]` with a call of [`RANGE`] as index.
     Index(Box<Expression>, Vec<Expression>),
     /// `.name` behind a closing parenthesis or bracket: `STOO("x").adams_id`.
     Attribute(Box<Expression>, String),
