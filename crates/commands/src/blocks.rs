@@ -60,7 +60,10 @@ impl Blocks {
     /// Reads statements up to the end of the block that the first of them opens, or that one alone.
     /// False at the end of the text.
     pub fn read_unit(&mut self, program: &mut Program, parser: &mut Parser, first_words: &[&str]) -> bool {
-        *self = Blocks::default();
+        self.control.clear();
+        self.end.clear();
+        self.arms.clear();
+        self.unclosed.clear();
         program.statements.clear();
         while program.read(parser) {
             self.add(control_of(program, program.statements.len() - 1, first_words));

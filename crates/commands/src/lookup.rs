@@ -2,6 +2,7 @@
 
 use model::{Database, ObjectId, name_steps, quoted, split_name};
 use schema::{Class, Registry};
+use smallvec::{SmallVec, smallvec};
 use text::{Diagnostic, Span};
 
 use crate::words::{glob, is_pattern, nearest};
@@ -54,27 +55,27 @@ pub fn search_one(database: &Database, name: &str, wanted: &str) -> Option<Objec
     }
 }
 
-fn search(database: &Database, name: &str, wanted: &str) -> Vec<ObjectId> {
+fn search(database: &Database, name: &str, wanted: &str) -> SmallVec<[ObjectId; 1]> {
     if name.starts_with('.') {
         return database.find(name, wanted).into_iter().collect();
     }
-    let steps = split_name(name);
-    if steps.iter().any(String::is_empty) {
-        return Vec::new();
+    let steps = name_steps(name);
+    if steps.iter().any(|s| s.is_empty()) {
+        return SmallVec::new();
     }
     let model = database.current("model");
     // The current part, then the model itself, then anything below it, then other top-level objects.
     let near = [database.current("part"), database.current("body"), model];
     for parent in near.into_iter().flatten() {
         if let Some(id) = database.descend(Some(parent), &steps, wanted) {
-            return vec![id];
+            return smallvec![id];
         }
     }
     if let Some(id) = database.descend(None, &steps, wanted) {
-        return vec![id];
+        return smallvec![id];
     }
-    let Some(model) = model else { return Vec::new() };
-    let mut found = Vec::new();
+    let Some(model) = model else { return SmallVec::new() };
+    let mut found = SmallVec::new();
     for id in database.subtree(model) {
         if id != model
             && !database.object(id).children.is_empty()

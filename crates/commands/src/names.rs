@@ -1,8 +1,7 @@
 //! Generated names and solver ids without searching the whole model each time.
 
-use std::collections::HashMap;
-
 use model::{Database, ObjectId};
+use rustc_hash::FxHashMap;
 use schema::Class;
 
 /// What is known about names and ids in use. Only a memory: it is dropped whenever something may
@@ -10,9 +9,9 @@ use schema::Class;
 #[derive(Debug, Default)]
 pub struct Names {
     /// Highest number behind a prefix, by model, word of the class and prefix.
-    highest: HashMap<(Option<ObjectId>, &'static str, String), u64>,
-    /// Objects by model, statement and id.
-    ids: HashMap<(Option<ObjectId>, &'static str), HashMap<i64, ObjectId>>,
+    highest: FxHashMap<(Option<ObjectId>, &'static str, String), u64>,
+    /// Objects by solver id.
+    ids: FxHashMap<IdKey, ObjectId>,
     ids_known: bool,
 }
 
@@ -74,24 +73,26 @@ impl Names {
             self.ids_known = true;
             for other in database.ids() {
                 if let Some(n) = database.integer(other, "adams_id").filter(|n| *n != 0) {
-                    self.ids.entry(id_key(database, other)).or_default().entry(n).or_insert(other);
+                    self.ids.entry(id_key(database, other, n)).or_insert(other);
                 }
             }
         }
-        let table = self.ids.entry(id_key(database, id)).or_default();
-        let holder = table
-            .get(&number)
-            .copied()
-            .filter(|h| *h != id && database.get(*h).is_some() && database.integer(*h, "adams_id") == Some(number));
-        if holder.is_none() {
-            table.insert(number, id);
+        let noted = self.ids.entry(id_key(database, id, number)).or_insert(id);
+        let held =
+            *noted != id && database.get(*noted).is_some() && database.integer(*noted, "adams_id") == Some(number);
+        if held {
+            return Some(*noted);
         }
-        holder
+        *noted = id;
+        None
     }
 }
 
+/// A solver id with the model and the statement within which it is unique.
+type IdKey = (Option<ObjectId>, &'static str, i64);
+
 /// Ids are unique per statement of the solver; classes without one are apart from each other.
-fn id_key(database: &Database, id: ObjectId) -> (Option<ObjectId>, &'static str) {
+fn id_key(database: &Database, id: ObjectId, number: i64) -> IdKey {
     let class = database.object(id).class;
-    (database.model_of(id), class.statement.unwrap_or(class.id))
+    (database.model_of(id), class.statement.unwrap_or(class.id), number)
 }

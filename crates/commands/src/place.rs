@@ -46,50 +46,47 @@ pub fn read(
         }
         _ => database.settings().default_frame.filter(|f| database.get(*f).is_some()),
     };
-    let frame_pose = frame.map_or(Pose::GLOBAL, |f| database.global_pose(f));
-    let parent_pose = parent.map_or(Pose::GLOBAL, |p| database.global_pose(p));
+    let pose = |id: Option<ObjectId>| id.map_or(Pose::GLOBAL, |id| database.global_pose(id));
     // From the frame values are read in to the frame they are stored in.
-    let convert = if frame == parent { Pose::GLOBAL } else { parent_pose.inverse().then(&frame_pose) };
+    let convert = if frame == parent { Pose::GLOBAL } else { pose(parent).inverse().then(&pose(frame)) };
     // The model stands for the global frame, so that a kept expression always has one.
     let relative_to = frame.or_else(|| parent.and_then(|p| database.model_of(p)));
     let mut placement = Placement { relative_to, ..Placement::default() };
-    let mut frame_reads = Vec::new();
-    if frame != parent {
-        for id in [frame, parent].into_iter().flatten().filter(|id| Some(*id) != object) {
-            frame_reads.extend(database.pose_reads(id));
-        }
-    }
+    let frame_reads = || {
+        let frames = if frame == parent { [None; 2] } else { [frame, parent] };
+        frames.into_iter().flatten().filter(|id| Some(*id) != object).flat_map(|id| database.pose_reads(id))
+    };
 
     let mut origin = object.map_or(DVec3::ZERO, |o| database.local_pose(o).origin);
     if let (Some(argument), Some(field)) = (call.argument("location"), call.field("location")) {
         let field = *field;
         let mut draft = reader.read(&field, argument)?;
-        let numbers = draft.value.as_numbers().unwrap_or_default();
+        let numbers = draft.value.numbers();
         let typed = if draft.source == Source::Literal || matches!(draft.source, Source::Elements(_)) {
-            cartesian(database, &numbers)
+            cartesian(database, numbers)
         } else {
-            vector(&numbers)
+            vector(numbers)
         };
         origin = if convert == Pose::GLOBAL { typed } else { convert.origin + convert.rotation * typed };
         draft.value = Value::Array(Array::column(origin.to_array().to_vec()));
-        finish(&mut draft, &frame_reads);
+        finish(&mut draft, frame_reads);
         placement.location = Some(draft);
     }
     placement.orientation =
         if let (Some(argument), Some(field)) = (call.argument("orientation"), call.field("orientation")) {
             let field = *field;
             let mut draft = reader.read(&field, argument)?;
-            let numbers = draft.value.as_numbers().unwrap_or_default();
+            let typed = vector(draft.value.numbers());
             let sequence = if body_313(argument) { Sequence::BODY_313 } else { database.settings().sequence };
             // Angles that need no conversion are stored as typed.
             if convert.rotation != DMat3::IDENTITY || sequence != Sequence::BODY_313 {
                 let angle = database.units().angle.si;
-                let typed = rotation_of(sequence, vector(&numbers).to_array().map(|a| a * angle));
+                let typed = rotation_of(sequence, typed.to_array().map(|a| a * angle));
                 draft.value = angles_value(database, &(convert.rotation * typed));
             } else {
-                draft.value = Value::Array(Array::column(vector(&numbers).to_array().to_vec()));
+                draft.value = Value::Array(Array::column(typed.to_array().to_vec()));
             }
-            finish(&mut draft, &frame_reads);
+            finish(&mut draft, frame_reads);
             Some(draft)
         } else {
             aimed(reader, call, &convert, origin)?
@@ -97,11 +94,11 @@ pub fn read(
     Ok(placement)
 }
 
-fn finish(draft: &mut Draft, frame_reads: &[CellKey]) {
+fn finish<I: Iterator<Item = CellKey>>(draft: &mut Draft, frame_reads: impl Fn() -> I) {
     if draft.source != Source::Literal {
-        for read in frame_reads {
-            if !draft.reads.contains(read) {
-                draft.reads.push(*read);
+        for read in frame_reads() {
+            if !draft.reads.contains(&read) {
+                draft.reads.push(read);
             }
         }
     }

@@ -324,7 +324,7 @@ impl Interpreter {
             (Some(a), Some(b)) => a.span.to(b.span),
             _ => target,
         };
-        let argument = Argument { name: target, values: values.to_vec(), value_span };
+        let argument = Argument { name: target, values: values.into(), value_span };
         let call = Call {
             program,
             keywords: target,

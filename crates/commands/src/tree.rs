@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use indexmap::IndexMap;
 use model::ObjectId;
+use rustc_hash::FxBuildHasher;
 use schema::{Class, Field, Group, Kind, Names, Registry, Use};
+use smallvec::SmallVec;
 
 use crate::{
     known,
@@ -58,7 +60,7 @@ pub struct Command {
 
 #[derive(Debug, Default)]
 struct Node {
-    children: IndexMap<Box<str>, usize>,
+    children: IndexMap<Box<str>, usize, FxBuildHasher>,
     command: Option<Command>,
     /// Known from the list of keywords only.
     known_only: bool,
@@ -183,10 +185,11 @@ impl CommandTree {
 
     /// Follows the keywords of a command.
     pub fn find(&self, words: &[&str]) -> Path {
-        let (mut node, mut path) = (0, String::new());
+        let (mut node, mut path) = (0, SmallVec::<[&str; 8]>::new());
         for (at, word) in words.iter().enumerate() {
             let children = &self.nodes[node].children;
-            let matched = match match_word(children.keys().map(AsRef::as_ref), word) {
+            let spelled_out = children.get_index_of(*word).map(Match::One);
+            let matched = match spelled_out.unwrap_or_else(|| match_word(children.keys().map(AsRef::as_ref), word)) {
                 // Forms the list of keywords alone knows give way where abbreviations tie.
                 Match::Many(found) => return Path::Ambiguous { at, candidates: self.names(node, &found) },
                 other => other,
@@ -194,17 +197,14 @@ impl CommandTree {
             match matched {
                 Match::One(i) => {
                     if let Some((name, &child)) = children.get_index(i) {
-                        if !path.is_empty() {
-                            path.push(' ');
-                        }
-                        path.push_str(name);
+                        path.push(name);
                         node = child;
                     }
                 }
                 _ if self.nodes[node].command.is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
                 _ if self.nodes[node].known_only && self.nodes[node].children.is_empty() => {
-                    return Path::Found(unsupported(&path, &words[at..]));
+                    return Path::Found(unsupported(&path.join(" "), &words[at..]));
                 }
                 _ => return Path::Unknown { at, near: self.following(node) },
             }
@@ -212,7 +212,7 @@ impl CommandTree {
         match &self.nodes[node].command {
             Some(command) => Path::Found(command.clone()),
             None if self.nodes[node].known_only && self.nodes[node].children.is_empty() && node != 0 => {
-                Path::Found(unsupported(&path, &[]))
+                Path::Found(unsupported(&path.join(" "), &[]))
             }
             None => Path::Incomplete { next: self.following(node) },
         }

@@ -1,8 +1,11 @@
 //! Arguments become values of cells: numbers with their units, words, texts, objects, functions.
 
+use std::borrow::Cow;
+
 use expressions::is_rate_of_angle;
 use model::{Array, CellKey, Database, Expression, FunctionText, ObjectId, Source, Value};
-use schema::{Dimension, Field, Kind, Registry, UnitName, parse_unit_expression};
+use schema::{Dimension, Field, Kind, Registry, parse_unit_expression};
+use smallvec::{SmallVec, smallvec};
 use syntax::command::{Argument, Item, ItemKind, parse_expression};
 use text::{Diagnostic, Sources, Span};
 
@@ -40,7 +43,9 @@ pub struct Reader<'a> {
 
 type Errors = Vec<Diagnostic>;
 /// The numbers of one value, the expression to keep, and what it reads.
-type NumberItem = (Vec<f64>, Option<Expression>, Vec<CellKey>);
+type NumberItem = (Numbers, Option<Expression>, Vec<CellKey>);
+/// Rarely more than a location.
+type Numbers = SmallVec<[f64; 3]>;
 
 impl Reader<'_> {
     /// Reads the values of an argument as its field wants them.
@@ -80,12 +85,12 @@ impl Reader<'_> {
     // ---- numbers ----
 
     fn numbers(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
-        let mut values: Vec<f64> = Vec::with_capacity(argument.values.len());
+        let mut values = Numbers::with_capacity(argument.values.len());
         let mut elements: Vec<Option<Expression>> = Vec::new();
         let mut reads = Vec::new();
         let (mut kept_any, mut errors) = (false, Vec::new());
         let count = argument.values.len();
-        for item in &argument.values {
+        for (i, item) in argument.values.iter().enumerate() {
             match self.number_item(field, item) {
                 Ok((numbers, kept, item_reads)) => {
                     if numbers.len() != 1 && count != 1 && kept.is_some() {
@@ -99,8 +104,11 @@ impl Reader<'_> {
                         );
                     }
                     values.extend(numbers);
-                    kept_any |= kept.is_some();
-                    elements.push(kept);
+                    if kept.is_some() {
+                        kept_any = true;
+                        elements.resize(count, None);
+                        elements[i] = kept;
+                    }
                     reads.extend(item_reads);
                 }
                 Err(mut e) => errors.append(&mut e),
@@ -135,7 +143,7 @@ impl Reader<'_> {
         let value = match (field.kind, values.as_slice()) {
             (Kind::Integer, [one]) if field.count.most == 1 => Value::Integer(*one as i64),
             (Kind::Real, [one]) if field.count.most == 1 => Value::Number(*one),
-            _ => Value::Array(Array::column(values)),
+            _ => Value::Array(Array::column(values.into_vec())),
         };
         let source = match (kept_any, count) {
             (false, _) => Source::Literal,
@@ -182,16 +190,16 @@ impl Reader<'_> {
 
     fn number_item(&mut self, field: &Field, item: &Item) -> Result<NumberItem, Errors> {
         match &item.kind {
-            ItemKind::Number { value, unit: None } => Ok((vec![*value], None, Vec::new())),
+            ItemKind::Number { value, unit: None } => Ok((smallvec![*value], None, Vec::new())),
             ItemKind::Number { value, unit: Some(unit) } => {
-                Ok((vec![self.with_unit(field, *value, unit, item.span)?], None, Vec::new()))
+                Ok((smallvec![self.with_unit(field, *value, unit, item.span)?], None, Vec::new()))
             }
             ItemKind::Expression(e) => {
                 let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
                 if let Value::Text(text) = &outcome.value {
                     // A text in the place of a number is read as an expression itself.
                     let numbers = self.number_text(field, text, item.span)?;
-                    return Ok((numbers, None, Vec::new()));
+                    return Ok((numbers.into(), None, Vec::new()));
                 }
                 let Some(numbers) = outcome.value.as_numbers() else {
                     return Err(vec![not_a_number(field, item.span, &describe(&outcome.value))]);
@@ -209,7 +217,7 @@ impl Reader<'_> {
                 let numbers = numbers.into_iter().map(|x| x * radians).collect();
                 Ok((numbers, outcome.kept, outcome.reads))
             }
-            ItemKind::Text(text) => Ok((self.number_text(field, text, item.span)?, None, Vec::new())),
+            ItemKind::Text(text) => Ok((self.number_text(field, text, item.span)?.into(), None, Vec::new())),
             ItemKind::Word => {
                 let word = self.word(item.span);
                 let mut error = not_a_number(field, item.span, "a word");
@@ -240,7 +248,7 @@ impl Reader<'_> {
     /// A plain number with a unit behind it, in current units.
     fn with_unit(&self, field: &Field, value: f64, unit: &str, span: Span) -> Result<f64, Errors> {
         let known = if unit.eq_ignore_ascii_case("d") {
-            UnitName::find("degrees").map(|u| (u.dimension, u.si))
+            Some((Dimension::ANGLE, std::f64::consts::PI / 180.0))
         } else {
             parse_unit_expression(unit)
         };
@@ -286,13 +294,13 @@ impl Reader<'_> {
 
     // ---- words ----
 
-    fn plain(&self, item: &Item) -> Result<String, Errors> {
+    fn plain<'i>(&'i self, item: &'i Item) -> Result<Cow<'i, str>, Errors> {
         match &item.kind {
-            ItemKind::Text(text) => Ok(text.clone()),
-            ItemKind::Word | ItemKind::Number { .. } => Ok(self.word(item.span).to_string()),
+            ItemKind::Text(text) => Ok(Cow::Borrowed(text)),
+            ItemKind::Word | ItemKind::Number { .. } => Ok(Cow::Borrowed(self.word(item.span))),
             ItemKind::Expression(e) => {
                 let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
-                Ok(text_of(&outcome.value, self.database))
+                Ok(Cow::Owned(text_of(&outcome.value, self.database)))
             }
         }
     }
@@ -377,7 +385,7 @@ impl Reader<'_> {
                     reads = outcome.reads;
                 }
             } else {
-                texts.push(self.plain(item)?);
+                texts.push(self.plain(item)?.into_owned());
             }
         }
         let mut draft = Self::text_value(field, argument, texts)?;
@@ -410,7 +418,7 @@ impl Reader<'_> {
     // ---- objects ----
 
     fn objects(&mut self, field: &Field, argument: &Argument, wanted: &str) -> Result<Draft, Errors> {
-        let mut found = Vec::new();
+        let mut found: SmallVec<[ObjectId; 1]> = SmallVec::new();
         let mut kept = None;
         let mut reads = Vec::new();
         let many = field.count.most > 1;
@@ -454,17 +462,17 @@ impl Reader<'_> {
         let value = match (many, found.as_slice()) {
             (false, [one]) => Value::Object(*one),
             (false, _) => Value::Nothing,
-            (true, _) => Value::Objects(found),
+            (true, _) => Value::Objects(found.into_vec()),
         };
         let source = kept.map_or(Source::Literal, |e| Source::Expression(Box::new(e)));
         Ok(Draft { value, source, reads })
     }
 
-    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<Vec<ObjectId>, Errors> {
+    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<SmallVec<[ObjectId; 1]>, Errors> {
         let outcome = if many && is_pattern(name) {
-            lookup::find_all(self.database, self.registry, name, wanted, span)
+            lookup::find_all(self.database, self.registry, name, wanted, span).map(SmallVec::from_vec)
         } else {
-            lookup::find(self.database, self.registry, name, wanted, span).map(|id| vec![id])
+            lookup::find(self.database, self.registry, name, wanted, span).map(|id| smallvec![id])
         };
         outcome.map_err(|e| vec![e])
     }

@@ -11,9 +11,14 @@ pub enum Match {
 }
 
 /// Finds the candidate a word stands for: an exact match wins, otherwise a unique prefix.
-pub fn match_word<'a>(candidates: impl IntoIterator<Item = &'a str>, word: &str) -> Match {
+pub fn match_word<'a>(candidates: impl IntoIterator<Item = &'a str, IntoIter: Clone>, word: &str) -> Match {
+    let candidates = candidates.into_iter();
+    // Words are mostly spelled out, as exports write them.
+    if let Some(i) = candidates.clone().position(|candidate| candidate == word) {
+        return Match::One(i);
+    }
     let mut found = Vec::new();
-    for (i, candidate) in candidates.into_iter().enumerate() {
+    for (i, candidate) in candidates.enumerate() {
         if candidate.len() >= word.len() && candidate.as_bytes()[..word.len()].eq_ignore_ascii_case(word.as_bytes()) {
             if candidate.len() == word.len() {
                 return Match::One(i);

@@ -56,6 +56,15 @@ impl Value {
         }
     }
 
+    /// The numbers of an array, or the one real number; empty for anything else.
+    pub fn numbers(&self) -> &[f64] {
+        match self {
+            Value::Array(array) => &array.values,
+            Value::Number(number) => std::slice::from_ref(number),
+            _ => &[],
+        }
+    }
+
     pub fn as_text(&self) -> Option<&str> {
         match self {
             Value::Text(text) => Some(text),

@@ -170,6 +170,15 @@ impl Database {
         Some(numbers)
     }
 
+    /// The first three numbers of an array in the units in force.
+    pub(crate) fn triple(&self, id: ObjectId, name: &str) -> Option<[f64; 3]> {
+        let object = self.object(id);
+        let index = object.class.cell_index(name)?;
+        let cell = object.cells[index].as_ref()?;
+        let ratio = self.ratio(cell.units, object.class.field(index).dimension);
+        cell.value.numbers().first_chunk::<3>().map(|v| v.map(|x| x * ratio))
+    }
+
     /// A number in SI (force in newton, angles in radians).
     pub fn si(&self, id: ObjectId, name: &str) -> Option<f64> {
         let index = self.object(id).class.cell_index(name)?;

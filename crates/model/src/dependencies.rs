@@ -1,6 +1,6 @@
 //! Which cell was computed from which: the graph that re-evaluates expressions.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use serde::{Deserialize, Serialize};
 
@@ -26,9 +26,9 @@ pub struct Cycle(pub Vec<CellKey>);
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Dependencies {
     /// Cells that each computed cell read when it was last evaluated.
-    reads: HashMap<CellKey, Vec<CellKey>>,
+    reads: FxHashMap<CellKey, Vec<CellKey>>,
     /// The reverse, in order of registration.
-    dependents: HashMap<CellKey, Vec<CellKey>>,
+    dependents: FxHashMap<CellKey, Vec<CellKey>>,
 }
 
 impl Dependencies {
@@ -85,8 +85,8 @@ impl Database {
             Enter(CellKey),
             Leave(CellKey),
         }
-        let (mut order, mut done, mut open) = (Vec::new(), HashSet::new(), Vec::new());
-        let mut on_path = HashSet::new();
+        let (mut order, mut done, mut open) = (Vec::new(), FxHashSet::default(), Vec::new());
+        let mut on_path = FxHashSet::default();
         for &start in changed {
             let mut stack = vec![Step::Enter(start)];
             while let Some(step) = stack.pop() {

@@ -11,8 +11,13 @@ use crate::{Object, ObjectId};
 /// Objects as the database keeps them, by handle.
 type Arena = [Option<Box<Object>>];
 
-/// Objects of different classes may share a parent and a name.
-type Namesakes = SmallVec<[ObjectId; 2]>;
+/// Objects of different classes that share a parent and a name.
+#[derive(Clone, Debug)]
+struct Namesakes {
+    /// Of the parent and the name.
+    hash: u64,
+    objects: SmallVec<[ObjectId; 2]>,
+}
 
 /// Objects by parent and name, ignoring case. The names themselves stay in the objects: an entry is
 /// found by its hash and compared with the name of the first object that it lists.
@@ -24,18 +29,19 @@ pub(crate) struct NameIndex {
 impl NameIndex {
     /// Objects below a parent (or at the top) that have a name, in the order in which they got it.
     pub fn find(&self, arena: &Arena, parent: Option<ObjectId>, name: &str) -> &[ObjectId] {
-        let found = self.entries.find(hash(parent, name), |entry| is_named(arena, entry, parent, name));
-        found.map_or(&[], SmallVec::as_slice)
+        let hash = hash(parent, name);
+        let found = self.entries.find(hash, |entry| entry.is(arena, hash, parent, name));
+        found.map_or(&[], |entry| entry.objects.as_slice())
     }
 
     /// Takes up an object under the name and parent that it has.
     pub fn insert(&mut self, arena: &Arena, id: ObjectId) {
         let Some((parent, name)) = name_of(arena, id) else { return };
-        let same = |entry: &Namesakes| is_named(arena, entry, parent, name);
-        match self.entries.entry(hash(parent, name), same, |entry| hash_of(arena, entry)) {
-            Entry::Occupied(mut entry) => entry.get_mut().push(id),
+        let hash = hash(parent, name);
+        match self.entries.entry(hash, |entry| entry.is(arena, hash, parent, name), |entry| entry.hash) {
+            Entry::Occupied(mut entry) => entry.get_mut().objects.push(id),
             Entry::Vacant(entry) => {
-                entry.insert(SmallVec::from_slice(&[id]));
+                entry.insert(Namesakes { hash, objects: SmallVec::from_slice(&[id]) });
             }
         }
     }
@@ -43,10 +49,10 @@ impl NameIndex {
     /// Drops an object that still has the name and parent under which it was taken up.
     pub fn remove(&mut self, arena: &Arena, id: ObjectId) {
         let Some((parent, name)) = name_of(arena, id) else { return };
-        let same = |entry: &Namesakes| is_named(arena, entry, parent, name);
-        if let Ok(mut entry) = self.entries.find_entry(hash(parent, name), same) {
-            entry.get_mut().retain(|other| *other != id);
-            if entry.get().is_empty() {
+        let hash = hash(parent, name);
+        if let Ok(mut entry) = self.entries.find_entry(hash, |entry| entry.is(arena, hash, parent, name)) {
+            entry.get_mut().objects.retain(|other| *other != id);
+            if entry.get().objects.is_empty() {
                 entry.remove();
             }
         }
@@ -58,13 +64,11 @@ fn name_of(arena: &Arena, id: ObjectId) -> Option<(Option<ObjectId>, &str)> {
     Some((object.parent, &object.name))
 }
 
-fn is_named(arena: &Arena, entry: &Namesakes, parent: Option<ObjectId>, name: &str) -> bool {
-    let first = entry.first().and_then(|id| name_of(arena, *id));
-    first.is_some_and(|(p, n)| p == parent && n.eq_ignore_ascii_case(name))
-}
-
-fn hash_of(arena: &Arena, entry: &Namesakes) -> u64 {
-    entry.first().and_then(|id| name_of(arena, *id)).map_or(0, |(parent, name)| hash(parent, name))
+impl Namesakes {
+    fn is(&self, arena: &Arena, hash: u64, parent: Option<ObjectId>, name: &str) -> bool {
+        let first = || self.objects.first().and_then(|id| name_of(arena, *id));
+        self.hash == hash && first().is_some_and(|(p, n)| p == parent && n.eq_ignore_ascii_case(name))
+    }
 }
 
 fn hash(parent: Option<ObjectId>, name: &str) -> u64 {

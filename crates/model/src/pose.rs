@@ -84,7 +84,7 @@ impl Database {
     /// Pose of an object with cells `location` and `orientation` in its parent's frame; lengths in
     /// the current units.
     pub fn local_pose(&self, id: ObjectId) -> Pose {
-        let vector = |name| self.numbers(id, name).filter(|v| v.len() >= 3).map(|v| [v[0], v[1], v[2]]);
+        let vector = |name| self.triple(id, name);
         let angle = self.units().angle.si;
         Pose {
             origin: vector("location").map_or(DVec3::ZERO, DVec3::from_array),

@@ -1,6 +1,7 @@
 //! What holds for the session: units, coordinate systems, current defaults, generated names.
 
 use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
 use schema::UnitSystem;
 use serde::{Deserialize, Serialize};
 
@@ -29,7 +30,7 @@ pub struct Settings {
     /// Frame that locations and orientations refer to without `relative_to`; none: global.
     pub default_frame: Option<ObjectId>,
     /// Current default object by class id and by family.
-    pub current: IndexMap<&'static str, ObjectId>,
+    pub current: IndexMap<&'static str, ObjectId, FxBuildHasher>,
     /// Words of other defaults, by command parameter, as given (`axis_and_plane_setting`, ...).
     pub words: IndexMap<String, String>,
 }
@@ -41,7 +42,7 @@ impl Default for Settings {
             coordinate_system: CoordinateSystem::Cartesian,
             sequence: Sequence::BODY_313,
             default_frame: None,
-            current: IndexMap::new(),
+            current: IndexMap::default(),
             words: IndexMap::new(),
         }
     }

@@ -71,7 +71,14 @@ impl Class {
     /// # Panics
     /// If the class has no cell of that number, which only a mistake in Flexure can bring about.
     pub fn field(&self, cell: usize) -> &'static Field {
-        self.fields().nth(cell).expect("cell index belongs to the class")
+        let mut index = cell;
+        for group in self.groups {
+            if let Some(field) = group.fields.get(index) {
+                return field;
+            }
+            index -= group.fields.len();
+        }
+        panic!("cell index belongs to the class");
     }
 
     /// All fields of all groups, in cell order.

@@ -178,7 +178,7 @@ pub fn restore(objects: Vec<ObjectRow>, session: &str, registry: &Registry) -> R
     }
     let families = registry.classes.iter().flat_map(|c| std::iter::once(c.id).chain(c.families.iter().copied()));
     let known: HashMap<&str, &'static str> = families.map(|name| (name, name)).collect();
-    let mut current = IndexMap::new();
+    let mut current = IndexMap::default();
     for (name, id) in content.current {
         let name = *known.get(name.as_str()).ok_or_else(|| format!("`{name}` is no kind of object here"))?;
         current.insert(name, id);

@@ -16,6 +16,6 @@ pub use comments::{Comment, Comments, comments};
 pub use format::{Formatted, format};
 pub use parser::{Parser, parse, parse_expression};
 pub use tree::{
-    Argument, BinaryOperator, Expression, ExpressionKind, Item, ItemKind, RANGE, Statement, StatementKind,
+    Argument, BinaryOperator, Expression, ExpressionKind, Item, ItemKind, Items, RANGE, Statement, StatementKind,
     UnaryOperator,
 };

@@ -7,7 +7,7 @@ use text::{Diagnostic, FileId, Span};
 
 use super::cursor::{Closing, Cursor, Gap};
 use super::expression::ExpressionParser;
-use super::tree::{Argument, Expression, Item, ItemKind, Statement, StatementKind};
+use super::tree::{Argument, Expression, Item, ItemKind, Items, Statement, StatementKind};
 use super::troubles::{
     expression_without_parentheses, joined, misplaced, missing_keyword, missing_value, out_of_range, stray_text,
     unclosed_parenthesis, unclosed_quote,
@@ -152,11 +152,11 @@ impl<'a> Parser<'a> {
     }
 
     /// The list of values; the cursor is at the `=`.
-    fn values_behind_equals(&mut self, name: Span) -> Vec<Item> {
+    fn values_behind_equals(&mut self, name: Span) -> Items {
         let equals = self.cursor.pos;
         self.cursor.pos += 1;
         self.last_end = self.cursor.pos;
-        let mut values = Vec::new();
+        let mut values = Items::new();
         let mut gap = self.cursor.skip_gap();
         if gap == Gap::EndOfLine && self.cursor.join_next_line() {
             gap = Gap::Token;

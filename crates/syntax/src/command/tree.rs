@@ -1,6 +1,7 @@
 //! What a command file consists of. Spans point into the source, so nothing is lost: all text
 //! between two tokens is blanks, comments and continuation marks.
 
+use smallvec::SmallVec;
 use text::Span;
 
 /// One logical line.
@@ -16,7 +17,7 @@ pub enum StatementKind {
     /// `force create element_like beam  ixx = 4 ...`: words before the first `name =`, then pairs.
     Command { keywords: Vec<Span>, arguments: Vec<Argument> },
     /// `.model.part.field = value` at the start of a line.
-    Assignment { target: Span, values: Vec<Item> },
+    Assignment { target: Span, values: Items },
     /// Text that could not be understood; diagnostics say why.
     Broken,
 }
@@ -26,10 +27,13 @@ pub enum StatementKind {
 pub struct Argument {
     pub name: Span,
     /// Empty when nothing follows the `=`.
-    pub values: Vec<Item>,
+    pub values: Items,
     /// From the first to the last value; empty just behind the `=` if there is none.
     pub value_span: Span,
 }
+
+/// The values of one parameter: one, most of the time.
+pub type Items = SmallVec<[Item; 1]>;
 
 /// One value of a list.
 #[derive(Clone, Debug, PartialEq)]
