@@ -176,6 +176,14 @@ impl Writer<'_> {
                     self.object(child);
                 }
             }
+            let floating = |class: &Class| class.id == "floating_marker";
+            if children.iter().any(|c| floating(self.database.object(*c).class)) {
+                self.line("! ****** Floating Markers for current part ******");
+                self.line("!");
+                for &child in children.iter().filter(|c| floating(self.database.object(**c).class)) {
+                    self.object(child);
+                }
+            }
             // A ground has no mass and no velocity.
             if object.class.id != "ground" {
                 for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g)) {
@@ -185,7 +193,8 @@ impl Writer<'_> {
             self.line("! ****** Graphics for current part ******");
             self.line("!");
             for &child in &children {
-                if !self.database.object(child).class.is("frame") {
+                let class = self.database.object(child).class;
+                if !class.is("frame") && !floating(class) {
                     self.object(child);
                 }
             }
@@ -198,18 +207,24 @@ impl Writer<'_> {
     fn elements(&mut self, model: ObjectId) {
         type Belongs = fn(&Class) -> bool;
         let done = |c: &Class| c.is("body") || c.id == "material";
-        let sections: [(&str, Belongs); 8] = [
+        let sections: &[(&str, Belongs)] = &[
+            ("Contacts", |c| c.is("contact")),
+            ("Equations", |c| c.is("equation")),
+            ("Higher pair contacts", |c| c.is("higher_pair_contact")),
             ("Joints", |c| c.is("joint")),
-            ("Constraints", |c| c.is("constraint") && c.id != "motion"),
-            ("Motions", |c| c.id == "motion"),
+            ("Joint Primitives", |c| c.is("primitive_joint")),
             ("Forces", |c| c.is("force") && c.id != "gravity"),
+            ("Gears", |c| c.id == "gear"),
+            ("Constraints", |c| c.is("constraint") && c.id != "coupler" && c.id != "motion"),
             ("Simulation Scripts", |c| c.id == "script"),
+            ("Couplers", |c| c.id == "coupler"),
+            ("Motions", |c| c.id == "motion"),
             ("Accgrav", |c| c.id == "gravity"),
             ("Analysis settings", |c| c.groups.first().is_some_and(|g| g.object.is_empty())),
             ("Other objects", |_| true),
         ];
         let mut rest = self.children(model, |c| !done(c));
-        for (title, belongs) in sections {
+        for &(title, belongs) in sections {
             let (now, later): (Vec<_>, Vec<_>) =
                 rest.into_iter().partition(|id| belongs(self.database.object(*id).class));
             rest = later;

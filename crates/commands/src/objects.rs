@@ -40,6 +40,7 @@ impl Interpreter {
         self.set_fields(id, call)?;
         self.set_defaults(id, class, group, call)?;
         ends::generate_markers(self, id, call)?;
+        ends::generate_floating(self, id, call)?;
         self.database.make_current(id);
         if class.id == "model" {
             self.model_created(id);
@@ -136,6 +137,7 @@ impl Interpreter {
                 ]);
             }
             self.set_fields(id, call)?;
+            ends::generate_floating(self, id, call)?;
             self.clear_by_no(id, call);
             if call.path.starts_with("part ") && class.id == "part" {
                 self.warn_about_mass(id, call);
@@ -232,7 +234,9 @@ impl Interpreter {
                 continue;
             }
             let Some(cell) = class.cell_index(parameter.field.name) else { continue };
-            if parameter.field.usage == Use::Create && ends::is_end(parameter.field.name) {
+            let made = parameter.field.name == "j_marker_id" && class.cell_index("j_floating_marker_name").is_some();
+            let end = parameter.field.usage == Use::Create && ends::is_end(parameter.field.name);
+            if end || made || ends::is_body(parameter.field.name) {
                 continue;
             }
             let field = *class.field(cell);
@@ -302,6 +306,9 @@ impl Interpreter {
             }
             let value = match (field.default, field.kind) {
                 (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
+                (Default::Number(x), _) if field.count.least > 1 => {
+                    Value::Array(model::Array::column(vec![x; field.count.least]))
+                }
                 (Default::Number(x), _) => Value::Number(x),
                 (Default::Word(w), Kind::Boolean(yes, _)) => Value::Flag(w == yes),
                 (Default::Word(w), _) => Value::Text(w.to_string()),
@@ -383,7 +390,7 @@ impl Interpreter {
         }
     }
 
-    fn check_id(&mut self, id: ObjectId, value: &Value, span: Span) -> Outcome<()> {
+    pub(crate) fn check_id(&mut self, id: ObjectId, value: &Value, span: Span) -> Outcome<()> {
         let Value::Integer(number) = *value else { return Ok(()) };
         if number < 0 {
             return Err(vec![

@@ -47,6 +47,9 @@ impl Interpreter {
                 if let Some(path) = self.consequence(program, index, &errors) {
                     self.report.skipped += 1;
                     self.keep(program, index);
+                    if let Some((_, arguments)) = program.command(index) {
+                        self.remember_unmade(program, &path, arguments);
+                    }
                     self.complain(vec![skipped_too(&path, errors)]);
                     return Flow::Next;
                 }
@@ -64,7 +67,8 @@ impl Interpreter {
         let span = program.statements[index].statement.span;
         let path = self.find_command(program, span, keywords, arguments).ok()?.path.to_string();
         // The names of solids read from another program's file stand in that file only.
-        let may_be_solid = path == "geometry attributes" || path.starts_with("geometry modify ");
+        let about_shapes = ["geometry attributes", "geometry modify ", "contact create", "contact modify"];
+        let may_be_solid = about_shapes.iter().any(|start| path.starts_with(start));
         let follows = errors.iter().all(|e| {
             let Some(name) = e.primary.as_ref().map(|l| program.word(l.span).to_ascii_lowercase()) else {
                 return false;
@@ -255,11 +259,7 @@ impl Interpreter {
             if command.path.starts_with("file parasolid read") {
                 self.solids_not_read(program, arguments);
             }
-            // What this would have made is missing for the commands that follow.
-            if command.path.contains("create") {
-                let names = arguments.iter().filter(|a| program.word(a.name).contains("name"));
-                self.unmade.extend(names.take(1).map(|a| program.word(a.value_span).to_ascii_lowercase()));
-            }
+            self.remember_unmade(program, &command.path, arguments);
             return Ok(Flow::Skipped);
         }
         let call = self.bind(program, span, keywords, &command, arguments, errors)?;
@@ -278,6 +278,14 @@ impl Interpreter {
                 self.call_macro(*id, &call)
             }
             Action::Unsupported => Ok(Flow::Next),
+        }
+    }
+
+    /// Remembers what a skipped command would have made: it is missing for the commands that follow.
+    fn remember_unmade(&mut self, program: &Program, path: &str, arguments: &[Argument]) {
+        if path.contains("create") {
+            let names = arguments.iter().filter(|a| program.word(a.name).contains("name"));
+            self.unmade.extend(names.take(1).map(|a| program.word(a.value_span).to_ascii_lowercase()));
         }
     }
 

@@ -13,23 +13,23 @@ defaults coordinate_system default_coordinate_system = .car.body
 
 /// Pieces of a model, each as it must come back, with its continuation lines.
 const PIECES: &[&str] = &[
-    "force create element_like bushing  &
-   bushing_name = .car.BUSH_1  &
+    "part create external_system  &
+   external_system_name = .car.BUSH_1  &
    adams_id = 7  &
 ! rates of the front axle
    i_marker_name = .car.body.m1  &
    j_marker_name = .car.ground.m2  &
    stiffness = 1.0E+05, 2.0E+05, (3.0E+05(newton/mm))",
-    "floating_marker create  &
-   floating_marker_name = .car.ground.FM_3",
+    "clearance create  &
+   clearance_name = .car.FM_3",
     "force attributes  &
    force_name = .car.BUSH_1  &
    visibility = off",
-    "data_element create curve  curve_name = .car.CUR  closed = no",
-    "geometry create shape csg  csg_name = .car.body.CSG_4 &
+    "section create  section_name = .car.CUR  closed = no",
+    "ude create instance  instance_name = .car.CSG_4 &
    base_object = .car.body.BOX type = union",
-    "geometry attributes geometry_name = .car.body.CSG_4 color = RED",
-    "contact create contact_name = .car.CON &\n   i_geometry_name = .car.body.CSG_4",
+    "geometry attributes geometry_name = .car.CSG_4 color = RED",
+    "assembly create instance instance_name = .car.CON &\n   i_geometry_name = .car.CSG_4",
 ];
 
 fn session() -> Interpreter {
@@ -80,7 +80,7 @@ fn skipped_pieces_of_a_model_are_written_as_they_were_typed() {
 fn the_units_and_the_frame_of_a_kept_command_come_back() {
     let mut first = session();
     no_errors(&first.run_text("model", MODEL));
-    let piece = "force create element_like bushing bushing_name = .car.B location = 1,2,3";
+    let piece = "part create external_system external_system_name = .car.B location = 1,2,3";
     no_errors(
         &first.run_text("piece", &format!("defaults units length = inch\n{piece}\ndefaults units length = mm\n")),
     );
@@ -104,11 +104,11 @@ fn each_model_keeps_its_own_pieces_and_a_refused_command_is_not_kept() {
     assert_eq!(i.execute("force attributes force_name = .car.nothing visibility = off").failed, 1);
     let first = i.database.current("model").unwrap();
     no_errors(&i.execute("model create model_name = other"));
-    no_errors(&i.execute("floating_marker create floating_marker_name = .other.ground.FM"));
+    no_errors(&i.execute("clearance create clearance_name = .other.FM"));
     let second = i.database.current("model").unwrap();
     let (car, other) = (i.write_model(first), i.write_model(second));
     assert!(car.contains(PIECES[1]) && !car.contains(".other") && !car.contains(".car.nothing"), "{car}");
-    assert!(other.contains(".other.ground.FM") && !other.contains("FM_3"), "{other}");
+    assert!(other.contains(".other.FM") && !other.contains("FM_3"), "{other}");
 }
 
 #[test]

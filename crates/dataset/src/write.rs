@@ -81,15 +81,17 @@ pub fn write(database: &mut Database, model: ObjectId, options: Options<'_>) -> 
 
 /// Sections after the parts: banner and statements in the order exports write them.
 const SECTIONS: &[(&str, &[&str])] = &[
-    ("CONSTRAINTS", &["JOINT", "JPRIM", "MOTION"]),
-    ("FORCES", &["BEAM", "BUSHING", "FIELD", "SFORCE", "SPRINGDAMPER", "VFORCE", "VTORQUE", "GFORCE"]),
+    ("CONSTRAINTS", &["JOINT", "JPRIM", "COUPLER", "MOTION"]),
+    ("FORCES", &["BEAM", "BUSHING", "SFORCE", "SPRINGDAMPER", "VFORCE", "VTORQUE", "GFORCE"]),
+    ("EQUATIONS", &["DIFF"]),
+    ("HIGHER PAIR CONTACTS", &["PTCV"]),
     ("OUTPUT", &["REQUEST"]),
 ];
 const SETTINGS: &[&str] = &["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"];
 
 /// Whether the writer knows a statement.
 fn known(statement: &str) -> bool {
-    ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV"].contains(&statement)
+    ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV", "CONTACT"].contains(&statement)
         || SETTINGS.contains(&statement)
         || SECTIONS.iter().any(|(_, kinds)| kinds.contains(&statement))
 }
@@ -188,6 +190,13 @@ impl Writer<'_> {
     }
 
     fn sections(&mut self, model: ObjectId) {
+        let contacts = self.by_number(model, |s, _| s == "CONTACT");
+        if !contacts.is_empty() {
+            self.banner("CONTACTS");
+            for id in contacts {
+                self.object(id);
+            }
+        }
         let dynamic = self.by_number(model, |s, class| s == "GRAPHICS" && statements::moves(class));
         if !dynamic.is_empty() {
             self.banner("DYNAMIC GRAPHICS");
@@ -239,9 +248,15 @@ impl Writer<'_> {
         }
     }
 
-    /// Names what a dataset has a statement for and the writer has none.
+    /// Names what acts, or what a dataset has a statement for, and the writer has none.
     fn rest(&mut self, model: ObjectId) {
-        for id in self.by_number(model, |s, _| !known(s)) {
+        const ACTING: [&str; 4] = ["force", "constraint", "contact", "equation"];
+        let mut unwritten = self.by_number(model, |s, _| !known(s));
+        unwritten.extend(self.database.subtree(model).into_iter().filter(|id| {
+            let class = self.database.object(*id).class;
+            class.statement.is_none() && ACTING.iter().any(|family| class.families.contains(family))
+        }));
+        for id in unwritten {
             let name = self.database.full_name(id);
             let word = self.database.object(id).class.word;
             self.warn("dataset/not-written", format!("{word} `{name}` is not written yet"));

@@ -71,6 +71,7 @@ pub const MODEL: Group = group(
 );
 pub const PART: Group = group("part attributes", "part_name", BODY, ONE_SIZE);
 pub const POINT_MASS: Group = group("part attributes", "point_mass_name", BODY, ONE_SIZE);
+pub const EQUATION: Group = group("part attributes", "equation_name", BODY, ONE_SIZE);
 pub const MARKER: Group = group("marker attributes", "marker_name", SIGN, ONE_SIZE);
 pub const POINT: Group = group("point attributes", "point_name", SIGN, ONE_SIZE);
 pub const CONSTRAINT: Group = group("constraint attributes", "constraint_name", SIGN, ONE_SIZE);

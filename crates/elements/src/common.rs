@@ -1,7 +1,7 @@
 //! Parameters that many elements share. Each sentence, unit and keyword is written here once; an
 //! element changes what differs for it (`common::LOCATION.keyword("QP")`).
 
-use schema::{Count, Field, Rule};
+use schema::{Count, Field, Kind, Rule};
 
 pub const ADAMS_ID: Field =
     Field::integer("adams_id").doc("number in the solver's files; 0 until numbers are generated");
@@ -58,3 +58,18 @@ pub const MARKERS_OR_PARTS: &[Rule] = &[
     Rule::AtLeastOne(&["j_marker_name", "j_part_name"]),
     ONE_ORIENTATION,
 ];
+
+// What follows a function of the run, or a subroutine of the user.
+
+pub const FUNCTION: Field =
+    Field::function("function").keyword("FUNCTION").doc("function of time and state, evaluated during the run");
+pub const USER_FUNCTION: Field = Field::new("user_function", Kind::Real)
+    .count(Count::between(1, 30))
+    .doc("constants handed to a subroutine, 30 at most");
+pub const ROUTINE: Field = Field::text("routine").keyword("ROUTINE").doc("library and entry of the subroutine");
+
+// Data that other objects refer to.
+
+pub const ARRAY: &str = "any";
+pub const MATRIX: &str = "any";
+pub const CURVE: &str = "any";

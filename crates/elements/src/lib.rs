@@ -17,6 +17,7 @@ mod registry;
 pub mod runtime;
 pub mod shape;
 pub mod shelf;
+pub mod system;
 #[cfg(test)]
 mod testing;
 pub mod verify;

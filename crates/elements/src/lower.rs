@@ -253,18 +253,19 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// Names what acts in the model but cannot be simulated.
+    /// Refuses, by name, what acts in the model but cannot be simulated: a run without it would look
+    /// right and be wrong.
     fn report_the_rest(&mut self) {
         for object in self.objects.clone() {
             let class = self.database.object(object).class;
             if shelf::element(class).is_none() && shelf::acts(class) {
-                let name = self.name(object);
+                let (name, word) = (self.name(object), word_of(self.database, object));
                 self.report(
-                    Diagnostic::warning(
-                        "element/not-simulated",
-                        format!("{} `{name}` cannot be simulated yet and has no effect on the run", class.word),
-                    )
-                    .help(format!("deactivate `{name}` if the run is meant to go without it")),
+                    Diagnostic::error("element/not-simulated", format!("{word} `{name}` cannot be simulated yet"))
+                        .note("it acts on the motion, so that a run without it would be another model's")
+                        .help(format!(
+                            "deactivate it if the run is meant to go without it: `entity attributes entity_name = {name} active = off`"
+                        )),
                 );
             }
         }

@@ -2,7 +2,7 @@
 
 use schema::{Class, Registry};
 
-use crate::{bodies, data, forces, geometry, joints, output};
+use crate::{bodies, data, forces, geometry, joints, output, system};
 
 /// Every class, in the order of the manual.
 const CLASSES: &[&Class] = &[
@@ -11,6 +11,7 @@ const CLASSES: &[&Class] = &[
     &bodies::ground::CLASS,
     &bodies::point_mass::CLASS,
     &bodies::marker::CLASS,
+    &bodies::floating_marker::CLASS,
     &bodies::point::CLASS,
     &joints::fixed::CLASS,
     &joints::revolute::CLASS,
@@ -20,16 +21,41 @@ const CLASSES: &[&Class] = &[
     &joints::universal::CLASS,
     &joints::hooke::CLASS,
     &joints::planar::CLASS,
+    &joints::rackpin::CLASS,
+    &joints::screw::CLASS,
+    &joints::convel::CLASS,
     &joints::jprim_at_point::CLASS,
     &joints::jprim_inline::CLASS,
     &joints::jprim_inplane::CLASS,
     &joints::jprim_orientation::CLASS,
     &joints::jprim_parallel_axis::CLASS,
     &joints::jprim_perpendicular::CLASS,
+    &joints::jprim_point_point::CLASS,
     &joints::motion::CLASS,
+    &joints::coupler::CLASS,
+    &joints::gear::CLASS,
+    &joints::point_curve::CLASS,
+    &joints::curve_curve::CLASS,
+    &joints::general_constraint::CLASS,
+    &joints::user_constraint::CLASS,
     &forces::beam::CLASS,
     &forces::gravity::CLASS,
     &forces::single_component_force::CLASS,
+    &forces::bushing::CLASS,
+    &forces::field::CLASS,
+    &forces::translational_spring_damper::CLASS,
+    &forces::rotational_spring_damper::CLASS,
+    &forces::friction::CLASS,
+    &forces::force_vector::CLASS,
+    &forces::torque_vector::CLASS,
+    &forces::general_force::CLASS,
+    &forces::multi_point_force::CLASS,
+    &forces::modal_force::CLASS,
+    &forces::contact::CLASS,
+    &system::differential_equation::CLASS,
+    &system::transfer_function::CLASS,
+    &system::linear_state_equation::CLASS,
+    &system::general_state_equation::CLASS,
     &data::material::CLASS,
     &data::variable::CLASS,
     &data::group::CLASS,

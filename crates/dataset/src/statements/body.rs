@@ -132,6 +132,9 @@ pub(super) fn marker(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         let name = w.database.full_name(id);
         w.fail("dataset/marker-without-part", format!("the marker `{name}` belongs to no part"));
     }
+    if w.database.object(id).class.id == "floating_marker" {
+        lines.flag("FLOATING");
+    }
     place(w, id, "QP", lines);
     for unwritten in ["node_id", "curve_name"] {
         if w.database.value(id, unwritten).is_some_and(|v| *v != Value::Nothing) {

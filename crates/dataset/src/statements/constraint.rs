@@ -16,6 +16,8 @@ pub(super) fn joint(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     });
     reference(w, id, "i_marker_name", "I", lines);
     reference(w, id, "j_marker_name", "J", lines);
+    number_field(w, id, "pitch", "PITCH", lines);
+    number_field(w, id, "diameter_of_pitch", "PD", lines);
     let both = class.cell_index("translational_ic").is_some() && class.cell_index("rotational_ic").is_some();
     start(w, id, ["translational_ic", "velocity_ic"], if both { "ICTRAN" } else { "IC" }, lines);
     start(w, id, ["rotational_ic", "angular_velocity_ic"], if both { "ICROT" } else { "IC" }, lines);

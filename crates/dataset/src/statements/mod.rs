@@ -3,11 +3,13 @@
 
 mod body;
 mod constraint;
+mod coupled;
 mod graphics;
 mod gravity;
 mod regular;
 mod request;
 mod settings;
+mod vector;
 
 pub(crate) use graphics::moves;
 pub(crate) use gravity::gravity;
@@ -29,6 +31,18 @@ pub(crate) fn statement(w: &mut Writer<'_>, id: ObjectId) -> Option<Lines> {
         "MOTION" => constraint::motion(w, id, &mut lines),
         "GRAPHICS" => return graphics::graphics(w, id, lines),
         "REQUEST" => request::request(w, id, &mut lines),
+        "VFORCE" | "VTORQUE" | "GFORCE" => vector::vector(w, id, &mut lines),
+        "COUPLER" => coupled::coupler(w, id, &mut lines),
+        "PTCV" => coupled::point_curve(w, id, &mut lines),
+        "CONTACT" => coupled::contact(w, id, &mut lines),
+        "DIFF" => coupled::differential_equation(w, id, &mut lines),
+        "SPRINGDAMPER" => {
+            let turns = class.id == "rotational_spring_damper";
+            reference(w, id, "i_marker_name", "I", &mut lines);
+            reference(w, id, "j_marker_name", "J", &mut lines);
+            lines.flag(if turns { "ROTATIONAL" } else { "TRANSLATIONAL" });
+            regular::without_ends(w, id, &mut lines);
+        }
         "SFORCE" => {
             type_of_freedom(w, id, &mut lines);
             regular::arguments(w, id, &mut lines);

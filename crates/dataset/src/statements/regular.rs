@@ -27,10 +27,22 @@ const ORDER: &[(&str, &[&str])] = &[(
     ],
 )];
 
+/// Statements in which a number that is not given is zero, whatever a command fills in.
+const ZERO_IF_LEFT_OUT: &[&str] = &["BUSHING", "SPRINGDAMPER"];
+
 /// Appends all arguments of an object.
 pub(super) fn arguments(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    chosen(w, id, lines, |_| true);
+}
+
+/// Appends the arguments of an object but for its markers.
+pub(super) fn without_ends(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    chosen(w, id, lines, |field| !matches!(field.keyword, Some("I" | "J")));
+}
+
+fn chosen(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines, wanted: fn(&Field) -> bool) {
     let class = w.database.object(id).class;
-    let mut fields: Vec<&Field> = class.fields().filter(|f| f.keyword.is_some()).collect();
+    let mut fields: Vec<&Field> = class.fields().filter(|f| f.keyword.is_some() && wanted(f)).collect();
     fields.dedup_by_key(|f| f.name);
     if let Some((_, order)) = ORDER.iter().find(|(statement, _)| class.statement == Some(*statement)) {
         fields.sort_by_key(|f| order.iter().position(|k| Some(*k) == f.keyword).unwrap_or(order.len()));
@@ -70,8 +82,10 @@ fn argument(w: &mut Writer<'_>, id: ObjectId, field: &Field, lines: &mut Lines) 
         }
         Kind::Real | Kind::Integer | Kind::Location | Kind::Orientation | Kind::Any => {
             // A number that is zero unless given is written where it is not.
-            let zero = w.database.number(id, field.name) == Some(0.0);
-            if zero && field.default == Default::Number(0.0) {
+            let zero = w.database.numbers(id, field.name).is_some_and(|list| list.iter().all(|x| *x == 0.0));
+            let statement = w.database.object(id).class.statement;
+            let left_out = ZERO_IF_LEFT_OUT.iter().any(|s| statement == Some(s));
+            if zero && (left_out || field.default == Default::Number(0.0)) {
                 return;
             }
             if let Some(values) = numbers(w, id, field) {

@@ -1,5 +1,6 @@
 //! What has a place: models, bodies and the frames in them.
 
+pub mod floating_marker;
 pub mod ground;
 pub mod marker;
 pub mod model;

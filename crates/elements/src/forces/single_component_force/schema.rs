@@ -1,6 +1,6 @@
 //! Names, types, units and defaults of a single-component force.
 
-use schema::{Class, Dimension, Field, Group, Kind, Rule};
+use schema::{Class, Dimension, Field, Group, Rule};
 
 use crate::{attributes, common};
 
@@ -28,11 +28,9 @@ pub const CLASS: Class = Class {
                     .default_word("off")
                     .keyword("ACTIONONLY")
                     .doc("the reaction on J is left out"),
-                Field::function("function")
-                    .keyword("FUNCTION")
-                    .doc("function of time and state, evaluated during the run"),
-                Field::new("user_function", Kind::Real).many().doc("constants handed to a subroutine"),
-                Field::text("routine").keyword("ROUTINE").doc("library and entry of the subroutine"),
+                common::FUNCTION,
+                common::USER_FUNCTION,
+                common::ROUTINE,
                 Field::real("error", Dimension::NONE).keyword("ERROR").doc("error allowed"),
                 common::I_PART,
                 common::J_PART,

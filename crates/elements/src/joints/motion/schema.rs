@@ -1,6 +1,6 @@
 //! Names, types, units and defaults of a motion.
 
-use schema::{Class, Dimension, Field, Group, Kind, Rule};
+use schema::{Class, Dimension, Field, Group, Rule};
 
 use crate::{attributes, common};
 
@@ -25,14 +25,12 @@ pub const CLASS: Class = Class {
                 common::I_MARKER,
                 common::J_MARKER,
                 Field::choice("axis", &["x", "y", "z", "b1", "b2", "b3"]).doc("coordinate that is driven"),
-                Field::function("function")
-                    .keyword("FUNCTION")
-                    .doc("function of time and state, evaluated during the run"),
-                Field::new("user_function", Kind::Real).many().doc("constants handed to a subroutine"),
-                Field::text("routine").keyword("ROUTINE").doc("library and entry of the subroutine"),
                 Field::choice("time_derivative", &["displacement", "velocity", "acceleration"])
                     .default_word("displacement")
                     .doc("which time derivative the function prescribes"),
+                common::FUNCTION,
+                common::USER_FUNCTION,
+                common::ROUTINE,
                 Field::real("displacement_ic", Dimension::LENGTH)
                     .keyword("ICDISP")
                     .doc("start displacement where a derivative is prescribed"),

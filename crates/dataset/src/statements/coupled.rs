@@ -1,0 +1,146 @@
+//! COUPLER, PTCV, CONTACT and DIFF: statements whose words do not follow from the schema alone.
+
+use model::{ObjectId, Value};
+
+use super::{function_or_user, number_field, numbers, reference, texts};
+use crate::{layout::Lines, write::Writer};
+
+/// Fails for each cell that is set and that the statement has no known word for.
+fn refuse(w: &mut Writer<'_>, id: ObjectId, cells: &[&str]) {
+    for cell in cells {
+        let set = match w.database.value(id, cell) {
+            None | Some(Value::Nothing | Value::Flag(false)) => false,
+            Some(Value::Text(text)) => !text.is_empty(),
+            Some(_) => true,
+        };
+        if set {
+            let name = w.database.full_name(id);
+            w.fail("dataset/argument-not-written", format!("`{cell}` of `{name}` is not written yet"));
+        }
+    }
+}
+
+/// `, IGEOM = 1, 2` from the objects of a cell.
+fn references(w: &mut Writer<'_>, id: ObjectId, cell: &str, keyword: &str, lines: &mut Lines) {
+    let objects = w.database.value(id, cell).map(Value::objects).unwrap_or_default();
+    if !objects.is_empty() {
+        let ids: Vec<_> = objects.iter().map(|o| w.id_of(id, *o)).collect();
+        lines.list(keyword, &ids);
+    }
+}
+
+pub(super) fn coupler(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let name = w.database.full_name(id);
+    references(w, id, "joint_name", "JOINTS", lines);
+    refuse(w, id, &["user_function", "routine"]);
+    let word = w.database.text(id, "type_of_freedom").map(str::to_string);
+    let kinds: Vec<String> = match word {
+        Some(word) => word.split('_').map(str::to_string).collect(),
+        None => texts(w.database, id, "freedom_type"),
+    };
+    let letters: Vec<_> =
+        kinds.iter().filter_map(|k| k.chars().next()).map(|c| c.to_ascii_uppercase().to_string()).collect();
+    if letters.is_empty() {
+        w.fail("dataset/no-freedom", format!("`{name}` does not say which freedoms it couples"));
+    }
+    lines.argument("TYPE", &letters.join(":"));
+    if w.database.numbers(id, "motion_multipliers").is_none() {
+        w.fail("dataset/no-scales", format!("`{name}` has no motion_multipliers"));
+    }
+    number_field(w, id, "motion_multipliers", "SCALES", lines);
+}
+
+pub(super) fn point_curve(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    for (cell, keyword) in [
+        ("i_marker_name", "I"),
+        ("j_floating_marker_name", "JFLOAT"),
+        ("ref_marker_name", "RM"),
+        ("curve_name", "CURVE"),
+    ] {
+        if w.database.reference(id, cell).is_none() {
+            let name = w.database.full_name(id);
+            w.fail("dataset/no-marker", format!("`{name}` has no `{cell}`"));
+        }
+        reference(w, id, cell, keyword, lines);
+    }
+    refuse(w, id, &["displacement_ic", "velocity_ic", "ic_ref_marker_name"]);
+}
+
+pub(super) fn contact(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let kinds = texts(w.database, id, "type");
+    if let [kind] = kinds.as_slice() {
+        lines.argument("TYPE", &kind.to_ascii_uppercase());
+    }
+    references(w, id, "i_geometry_name", "IGEOM", lines);
+    references(w, id, "j_geometry_name", "JGEOM", lines);
+    let impact = w.database.number(id, "stiffness").is_some();
+    let poisson = w.database.number(id, "penalty").is_some();
+    if impact == poisson {
+        let name = w.database.full_name(id);
+        w.fail("dataset/no-law", format!("`{name}` has no stiffness and no penalty"));
+    }
+    lines.flag(if impact { "IMPACT" } else { "POISSON" });
+    for (cell, keyword) in [
+        ("stiffness", "STIFFNESS"),
+        ("damping", "DAMPING"),
+        ("dmax", "DMAX"),
+        ("exponent", "EXPONENT"),
+        ("penalty", "PENALTY"),
+        ("restitution_coefficient", "RESTITUTION_COEFFICIENT"),
+    ] {
+        number_field(w, id, cell, keyword, lines);
+    }
+    if let Some(word) = w.database.text(id, "coulomb_friction").filter(|word| *word != "off") {
+        lines.argument("COULOMB_FRICTION", &word.to_ascii_uppercase());
+        for (cell, keyword) in [
+            ("mu_static", "MU_STATIC"),
+            ("mu_dynamic", "MU_DYNAMIC"),
+            ("stiction_transition_velocity", "STICTION_TRANSITION_VELOCITY"),
+            ("friction_transition_velocity", "FRICTION_TRANSITION_VELOCITY"),
+        ] {
+            number_field(w, id, cell, keyword, lines);
+        }
+    }
+    refuse(
+        w,
+        id,
+        &[
+            "i_marker_name",
+            "i_flex",
+            "i_edge",
+            "i_edge_index",
+            "j_flex",
+            "j_edge",
+            "j_edge_index",
+            "i_flip_normal",
+            "j_flip_normal",
+            "i_flip_geometry_name",
+            "j_flip_geometry_name",
+            "geometry_routines",
+            "normal_function",
+            "normal_routine",
+            "augmented_lagrangian_formulation",
+            "stiction",
+            "max_stiction_deformation",
+            "friction_function",
+            "friction_routine",
+            "face_contact_top",
+            "face_contact_bottom",
+        ],
+    );
+}
+
+pub(super) fn differential_equation(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let field = w.database.object(id).class.cell_index("initial_condition");
+    let field = field.map(|index| *w.database.object(id).class.field(index));
+    if let Some(values) = field.and_then(|f| numbers(w, id, &f)) {
+        lines.list("IC", &values);
+    }
+    for (cell, keyword) in [("implicit", "IMPLICIT"), ("static_hold", "STATIC_HOLD")] {
+        if w.database.flag(id, cell) == Some(true) {
+            lines.flag(keyword);
+        }
+    }
+    refuse(w, id, &["dynamic_hold"]);
+    function_or_user(w, id, lines);
+}

@@ -1,0 +1,4 @@
+//! A contact between shapes of two bodies.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! Friction in a joint.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A torque of three components given by functions.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! Two curves that stay in touch.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A constraint that keeps a function of the state at zero.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A linear system as four matrices.
+
+pub mod schema;
+pub use schema::CLASS;
