@@ -14,9 +14,6 @@ use crate::{
     tree::Action,
 };
 
-/// Passes of one loop before it is taken for endless.
-const MOST_PASSES: u64 = 10_000_000;
-
 impl Interpreter {
     /// Binds the command of a block opener; reports what is wrong with it.
     fn opener<'p>(&mut self, program: &'p Program, index: usize) -> Result<Call<'p>, Flow> {
@@ -182,9 +179,10 @@ impl Interpreter {
             if end >= program.statements.len() {
                 return Flow::Next;
             }
-            if passes >= MOST_PASSES {
+            if passes >= self.most_passes {
                 let error = Diagnostic::error("command/endless-loop", "this loop does not end")
-                    .at(call.span, format!("stopped after {MOST_PASSES} passes"));
+                    .at(call.span, format!("stopped after {passes} passes"))
+                    .help("change something in the loop that its condition depends on");
                 return self.failed(vec![error]);
             }
         }
@@ -280,7 +278,7 @@ impl Interpreter {
         let step = number("increment_value")?.unwrap_or(1.0);
         let values = if let Some(start) = start {
             let Some(stop) = stop else { return Err(vec![call.missing(&["end_value"])]) };
-            numbers_of_loop(call, start, stop, step)?
+            numbers_of_loop(call, start, stop, step, self.most_passes)?
         } else {
             self.objects_of_loop(call)?.into_iter().map(Value::Object).collect()
         };
@@ -375,7 +373,7 @@ impl Interpreter {
     }
 }
 
-fn numbers_of_loop(call: &Call, start: f64, stop: f64, step: f64) -> Result<Vec<Value>, Vec<Diagnostic>> {
+fn numbers_of_loop(call: &Call, start: f64, stop: f64, step: f64, most: u64) -> Result<Vec<Value>, Vec<Diagnostic>> {
     if step == 0.0 {
         return Err(vec![
             Diagnostic::error("value/zero", "the increment of a loop must not be 0")
@@ -387,10 +385,12 @@ fn numbers_of_loop(call: &Call, start: f64, stop: f64, step: f64) -> Result<Vec<
     if passes < 0.0 {
         return Ok(Vec::new());
     }
-    if passes >= MOST_PASSES as f64 {
+    // The first pass is at `start` already.
+    let passes_in_all = passes + 1.0;
+    if passes_in_all > most as f64 {
         return Err(vec![
-            Diagnostic::error("command/endless-loop", format!("this loop would have {passes} passes"))
-                .at(call.span, format!("at most {MOST_PASSES}")),
+            Diagnostic::error("command/endless-loop", format!("this loop would have {passes_in_all} passes"))
+                .at(call.span, format!("at most {most}")),
         ]);
     }
     Ok((0..=passes as u64).map(|k| Value::Number(start + k as f64 * step)).collect())

@@ -475,7 +475,13 @@ impl Writer<'_> {
         let ratio = self.ratio(cell.units, field.dimension);
         Some(match &cell.value {
             Value::Nothing => return None,
+            // What an expression computes is set again by it: as many digits as Adams writes will do.
+            Value::Number(x) if cell.is_expression() && !is_angle(field) => {
+                number::real(number::ten_decimals(x * ratio))
+            }
             Value::Number(x) => self.number(field, x * ratio),
+            // Colours are objects.
+            Value::Text(text) if field.name == "color" => model::quoted(text),
             Value::Integer(i) => i.to_string(),
             Value::Array(array) => {
                 array.values.iter().map(|x| self.number(field, x * ratio)).collect::<Vec<_>>().join(", ")
@@ -495,6 +501,10 @@ impl Writer<'_> {
             Value::Function(f) => quoted_text(&function_string(f, self.database)),
         })
     }
+}
+
+fn is_angle(field: &Field) -> bool {
+    field.kind == Kind::Orientation || field.dimension == Dimension::ANGLE
 }
 
 fn is_attributes(group: &Group) -> bool {

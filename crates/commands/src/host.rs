@@ -92,6 +92,11 @@ pub trait Host: Send {
         Err(vec![unavailable("numbering ids")])
     }
 
+    /// What the last simulation warned of, for the journal.
+    fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        Vec::new()
+    }
+
     /// Lines for the information window.
     fn show(&mut self, _lines: &[String]) {}
 

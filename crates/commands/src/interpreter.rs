@@ -75,6 +75,9 @@ pub(crate) enum Flow {
 /// Files that read each other, and macros that call each other, up to this depth.
 const DEEPEST: usize = 100;
 
+/// Passes of one loop before it is taken for endless, unless a session says otherwise.
+const MOST_PASSES: u64 = 10_000_000;
+
 /// An interpreter of commands.
 pub struct Interpreter {
     pub database: Database,
@@ -101,6 +104,12 @@ pub struct Interpreter {
     pub(crate) unit_refused: bool,
     /// Depth of blocks, for the journal; negative in the journal while skipping.
     pub(crate) block_depth: usize,
+    /// Passes of one loop before it is taken for endless.
+    pub most_passes: u64,
+    /// Files whose commands take what is missing from the line behind them.
+    pub(crate) asking: std::collections::HashSet<FileId>,
+    /// The file in which lines were taken as answers, and where the last of them ends.
+    pub(crate) answered: Option<(FileId, u32)>,
     interrupt: Arc<AtomicBool>,
 }
 
@@ -142,6 +151,9 @@ impl Interpreter {
             suppress_undo: false,
             unit_refused: false,
             block_depth: 0,
+            most_passes: MOST_PASSES,
+            asking: std::collections::HashSet::new(),
+            answered: None,
             interrupt: Arc::new(AtomicBool::new(false)),
         }
     }
@@ -182,6 +194,7 @@ impl Interpreter {
         match std::fs::read(path) {
             Ok(bytes) => {
                 let file = self.sources.add_bytes(path.display().to_string(), bytes);
+                self.asking.insert(file);
                 if let Some(journal) = &mut self.journal {
                     journal.raw(&format!("file command read file_name = \"{}\"", path.display()));
                 }

@@ -10,6 +10,12 @@ use crate::{Interpreter, program::Program};
 
 const RULE: &str = "! ERROR:  ---------------------------------------------------------------------";
 
+/// The code of what says which objects a pattern means.
+pub(crate) const PATTERN: &str = "name/pattern";
+
+/// Errors that Adams reports while it executes a command, not while it reads it: without a box.
+const WHILE_EXECUTING: [&str; 1] = ["constraint/point-mass"];
+
 /// The lines of a session.
 #[derive(Clone, Debug, Default)]
 pub struct Journal {
@@ -23,6 +29,8 @@ pub struct Journal {
     typed_next: bool,
     /// Messages of the report that are already written.
     reported: usize,
+    /// Messages of the report of which those about patterns are already written.
+    patterns_said: usize,
 }
 
 /// How far the program that runs another has come.
@@ -87,6 +95,31 @@ impl Journal {
         self.kept_to = end;
     }
 
+    /// Asks for a parameter.
+    pub(crate) fn prompt(&mut self, name: &str) {
+        self.message(&format!("Enter {name} (required)"));
+    }
+
+    /// A line that was taken as an answer.
+    pub(crate) fn answered(&mut self, program: &Program, line: usize) {
+        self.message(&format!("-> {}", program.line(line)));
+        self.next_line = line + 1;
+    }
+
+    /// The box round an answer that does not fit; its column is 0.
+    pub(crate) fn refused_answer(&mut self, program: &Program, line: usize, error: &Diagnostic, name: &str) {
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        self.lines.push(RULE.into());
+        self.message(&format!("ERROR:  Error detected on line number {}, character 0 of {name}.", line + 1));
+        for text in texts(error).iter().filter(|t| !t.starts_with("Enter ")) {
+            self.message(&format!("ERROR:  {text}"));
+        }
+        self.message("ERROR:  The command was not executed.");
+        self.message(&format!("ERROR:  -> {}", program.line(line)));
+        self.lines.push(RULE.into());
+        self.next_line = line + 1;
+    }
+
     /// Echoes lines up to `to`, of which those from `first_of_statement` on are one statement.
     fn echo(&mut self, program: &Program, first_of_statement: usize, to: usize, depth: i64) {
         while self.next_line < to {
@@ -126,9 +159,11 @@ impl Interpreter {
         let depth = self.block_depth as i64;
         let span = program.statements[index].statement.span;
         let Some(journal) = &mut self.journal else { return };
+        journal.patterns(&self.report.diagnostics);
         let (first, last) = (program.line_number(span.start), program.line_number(span.end) + 1);
         let refused = errors.and_then(|e| e.iter().find(|d| d.is_error()));
         let place = refused.and_then(|d| d.primary.as_ref()).filter(|l| l.span.file == program.file);
+        let place = place.filter(|_| refused.is_some_and(|d| !WHILE_EXECUTING.contains(&d.code)));
         match (refused, place) {
             (Some(error), Some(place)) if journal.next_line < last => {
                 let faulty = program.line_number(place.span.end).clamp(first, last - 1);
@@ -137,6 +172,8 @@ impl Interpreter {
                 let column = column_of(program, place.span.end) + extra_column(program, error, place.span, opening);
                 journal.boxed(program, error, (first, faulty, last), column, self.sources.name(program.file), depth);
             }
+            // Boxed with the answer to its prompt already.
+            (Some(_), _) if journal.next_line > last => {}
             (Some(error), _) => {
                 journal.echo(program, first, last, depth);
                 journal.messages(error);
@@ -204,7 +241,7 @@ impl Journal {
     }
 
     /// Message lines of a trouble found while a command ran: the first is marked.
-    fn messages(&mut self, diagnostic: &Diagnostic) {
+    pub(crate) fn messages(&mut self, diagnostic: &Diagnostic) {
         let word = match diagnostic.severity {
             Severity::Error => "ERROR:  ",
             Severity::Warning => "WARNING:  ",
@@ -222,12 +259,25 @@ impl Journal {
         if self.reported > diagnostics.len() {
             self.reported = 0;
         }
-        for diagnostic in &diagnostics[self.reported..] {
-            if !diagnostic.is_error() {
+        let said = std::mem::take(&mut self.patterns_said);
+        for (at, diagnostic) in diagnostics.iter().enumerate().skip(self.reported) {
+            let said_before = at < said && diagnostic.code == PATTERN;
+            if !diagnostic.is_error() && !said_before {
                 self.messages(diagnostic);
             }
         }
         self.reported = diagnostics.len();
+    }
+
+    /// What patterns of a command mean is said before the command is echoed.
+    fn patterns(&mut self, diagnostics: &[Diagnostic]) {
+        if self.reported > diagnostics.len() {
+            self.reported = 0;
+        }
+        for diagnostic in diagnostics[self.reported..].iter().filter(|d| d.code == PATTERN) {
+            self.messages(diagnostic);
+        }
+        self.patterns_said = diagnostics.len();
     }
 
     /// Lines of a report shown in the information window.

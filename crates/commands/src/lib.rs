@@ -26,6 +26,8 @@ mod number;
 mod objects;
 mod place;
 mod program;
+mod prompt;
+mod refusals;
 mod state;
 mod statement;
 mod tree;

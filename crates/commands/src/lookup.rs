@@ -3,9 +3,12 @@
 use model::{Database, ObjectId, name_steps, quoted, split_name};
 use schema::{Class, Registry};
 use smallvec::{SmallVec, smallvec};
-use text::{Diagnostic, Span};
+use text::{Diagnostic, Severity, Span};
 
-use crate::words::{glob, is_pattern, nearest};
+use crate::{
+    journal::PATTERN,
+    words::{glob, is_pattern, nearest},
+};
 
 /// A place for a new object.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -128,6 +131,34 @@ pub fn find_all(
             .adams(format!("No {word} entities matching \"{name}\" were found.")));
     }
     Ok(found)
+}
+
+/// Which objects a pattern means.
+pub fn several(database: &Database, registry: &Registry, name: &str, wanted: &str, found: &[ObjectId]) -> Diagnostic {
+    let word = word_of(registry, wanted);
+    let pattern = name.rsplit('.').next().unwrap_or(name);
+    let names: Vec<String> = found.iter().map(|id| database.full_name(*id)).collect();
+    let message = format!("`{name}` means {} objects", found.len());
+    let mut note = Diagnostic::new(Severity::Note, PATTERN, message);
+    note.adams_text = wrapped(&format!("Found {} {word} entities matching \"{pattern}\": ", found.len()), &names);
+    note.notes.push(names.join(", "));
+    note
+}
+
+/// A list of names behind a text, broken behind a comma where a line gets longer than Adams lets it.
+pub fn wrapped(text: &str, names: &[String]) -> Vec<String> {
+    /// A first line of 90 characters with one name, and no room for a second of 33, were seen.
+    const WIDEST: usize = 100;
+    let mut lines = vec![text.to_string()];
+    for (i, name) in names.iter().enumerate() {
+        let last = i + 1 == names.len();
+        let piece = if last { name.clone() } else { format!("{name}, ") };
+        match lines.last_mut() {
+            Some(line) if i == 0 || line.len() + piece.len() <= WIDEST => line.push_str(&piece),
+            _ => lines.push(piece),
+        }
+    }
+    lines
 }
 
 fn matching(database: &Database, ids: &[ObjectId], pattern: &str) -> Vec<ObjectId> {
@@ -302,8 +333,8 @@ pub fn new_name(
         };
         parent = Some(next);
     }
-    if parent.is_none() && !class.parents.is_empty() {
-        // `.name` of an object that needs a parent.
+    // Variables, macros and libraries may be at the top; what else needs a parent may not.
+    if parent.is_none() && !class.parents.is_empty() && !matches!(class.id, "variable" | "macro" | "library") {
         let _ = registry;
         return Err(no_parent(class, typed, span));
     }

@@ -357,16 +357,19 @@ fn placeholder(text: &str) -> (&str, &str, usize) {
         return (name, "", end);
     }
     let mut depth = 0usize;
-    let mut quoted = false;
+    let (mut quoted, mut before) = (false, ':');
     let stop = text[end..]
         .find(|c: char| {
+            // A quote opens a default; elsewhere it is the end of the string the parameter stands in.
+            let closes = c == '"' && !quoted && !matches!(before, '=' | ',' | '(');
             match c {
-                '"' => quoted = !quoted,
+                '"' if !closes => quoted = !quoted,
                 '(' => depth += 1,
                 ')' => depth = depth.saturating_sub(1),
                 _ => {}
             }
-            !quoted && depth == 0 && (c.is_whitespace())
+            before = c;
+            closes || !quoted && depth == 0 && c.is_whitespace()
         })
         .map_or(text.len(), |s| s + end);
     (name, &text[end + 1..stop], stop)

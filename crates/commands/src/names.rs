@@ -8,10 +8,12 @@ use schema::Class;
 /// have been taken back, and built anew from the database.
 #[derive(Debug, Default)]
 pub struct Names {
-    /// Highest number behind a prefix, by model, word of the class and prefix.
-    highest: FxHashMap<(Option<ObjectId>, &'static str, String), u64>,
+    /// Objects of a kind in a model, by model and word of the class.
+    counts: FxHashMap<(Option<ObjectId>, &'static str), u64>,
     /// Objects by solver id.
     ids: FxHashMap<IdKey, ObjectId>,
+    /// The highest solver id by model and statement.
+    highest: FxHashMap<(Option<ObjectId>, &'static str), i64>,
     ids_known: bool,
 }
 
@@ -23,19 +25,14 @@ impl Names {
 
     /// Takes note of a new object.
     pub fn created(&mut self, database: &Database, id: ObjectId) {
-        let object = database.object(id);
         let scope = database.model_of(id).filter(|m| *m != id);
-        let digits = object.name.bytes().rev().take_while(u8::is_ascii_digit).count();
-        let (prefix, number) = object.name.split_at(object.name.len() - digits);
-        if let Ok(number) = number.parse::<u64>() {
-            let key = (scope, object.class.word, prefix.to_ascii_lowercase());
-            if let Some(highest) = self.highest.get_mut(&key) {
-                *highest = number.max(*highest);
-            }
+        if let Some(count) = self.counts.get_mut(&(scope, database.object(id).class.word)) {
+            *count += 1;
         }
     }
 
-    /// A free name: the prefix and the number above all in use.
+    /// A free name: the prefix and the number the object has among those of its kind, which is also
+    /// the id it would get; if that name is in use, with `_2`, `_3` behind it.
     pub fn generate(
         &mut self,
         database: &Database,
@@ -44,15 +41,15 @@ impl Names {
         prefix: &str,
     ) -> String {
         let scope = parent.and_then(|p| database.model_of(p));
-        let key = (scope, class.word, prefix.to_ascii_lowercase());
-        let number = if let Some(highest) = self.highest.get(&key) {
-            highest + 1
-        } else {
-            let name = database.generated_name(class, parent, prefix);
-            name.get(prefix.len()..).and_then(|n| n.parse().ok()).unwrap_or(1)
-        };
-        self.highest.insert(key, number);
-        let name = format!("{prefix}{number}");
+        let count = *self.counts.entry((scope, class.word)).or_insert_with(|| {
+            let all: Vec<ObjectId> = scope.map_or_else(|| database.roots().to_vec(), |s| database.subtree(s));
+            all.into_iter().filter(|id| Some(*id) != scope && database.object(*id).class.word == class.word).count()
+                as u64
+        });
+        self.know_ids(database);
+        let highest = self.highest.get(&(scope, class.statement.unwrap_or(class.id)));
+        let highest = highest.map_or(0, |id| u64::try_from(*id).unwrap_or(0));
+        let name = format!("{prefix}{}", count.max(highest) + 1);
         // Another class may use the name below the same parent; that is no clash, but confusing.
         let mut free = name.clone();
         let mut extra = 2;
@@ -63,21 +60,32 @@ impl Names {
         free
     }
 
+    fn know_ids(&mut self, database: &Database) {
+        if self.ids_known {
+            return;
+        }
+        self.ids_known = true;
+        for other in database.ids() {
+            if let Some(n) = database.integer(other, "adams_id").filter(|n| *n != 0) {
+                let key = id_key(database, other, n);
+                let highest = self.highest.entry((key.0, key.1)).or_default();
+                *highest = n.max(*highest);
+                self.ids.entry(key).or_insert(other);
+            }
+        }
+    }
+
     /// The object other than `id` that has a solver id among objects of the same statement, and
     /// notes that `id` has it now.
     pub fn holder_of_id(&mut self, database: &Database, id: ObjectId, number: i64) -> Option<ObjectId> {
         if number == 0 {
             return None;
         }
-        if !self.ids_known {
-            self.ids_known = true;
-            for other in database.ids() {
-                if let Some(n) = database.integer(other, "adams_id").filter(|n| *n != 0) {
-                    self.ids.entry(id_key(database, other, n)).or_insert(other);
-                }
-            }
-        }
-        let noted = self.ids.entry(id_key(database, id, number)).or_insert(id);
+        self.know_ids(database);
+        let key = id_key(database, id, number);
+        let highest = self.highest.entry((key.0, key.1)).or_default();
+        *highest = number.max(*highest);
+        let noted = self.ids.entry(key).or_insert(id);
         let held =
             *noted != id && database.get(*noted).is_some() && database.integer(*noted, "adams_id") == Some(number);
         if held {

@@ -32,6 +32,13 @@ fn exponent(x: f64) -> String {
     format!("{mantissa}E{sign}{:02}", power.abs())
 }
 
+/// A number cut to the digits of its written form: ten decimals, in exponent form of the mantissa.
+pub fn ten_decimals(x: f64) -> f64 {
+    let plain = (0.1..10000.0).contains(&x.abs());
+    let text = if plain { format!("{x:.10}") } else { format!("{x:.10E}") };
+    text.parse().unwrap_or(x)
+}
+
 /// Cuts trailing zeros but one.
 fn trim(text: &str) -> String {
     match text.split_once('.') {

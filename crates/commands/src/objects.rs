@@ -10,7 +10,7 @@ use crate::{
     call::Call,
     ends, evaluation,
     lookup::{self, NewName},
-    place,
+    place, refusals,
     tree::{ClassGroup, Role},
     values::{Draft, Reader},
 };
@@ -41,6 +41,7 @@ impl Interpreter {
         self.set_defaults(id, class, group, call)?;
         ends::generate_markers(self, id, call)?;
         ends::generate_floating(self, id, call)?;
+        refusals::joint_of_a_point_mass(&self.database, id, call.span)?;
         self.database.make_current(id);
         if class.id == "model" {
             self.model_created(id);
@@ -138,6 +139,7 @@ impl Interpreter {
             }
             self.set_fields(id, call)?;
             ends::generate_floating(self, id, call)?;
+            refusals::joint_of_a_point_mass(&self.database, id, call.span)?;
             self.clear_by_no(id, call);
             if call.path.starts_with("part ") && class.id == "part" {
                 self.warn_about_mass(id, call);

@@ -60,6 +60,11 @@ impl Program {
         self.source.line_number(offset)
     }
 
+    /// Where a physical line begins, counted from 0; the end of the text behind the last.
+    pub fn line_start(&self, number: usize) -> u32 {
+        self.source.line_starts().get(number).copied().unwrap_or(self.text().len() as u32)
+    }
+
     pub fn line_count(&self) -> usize {
         let lines = self.source.line_starts().len();
         if self.text().ends_with('\n') || self.text().is_empty() { lines - 1 } else { lines }

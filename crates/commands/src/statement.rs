@@ -20,9 +20,17 @@ type Errors = Vec<Diagnostic>;
 impl Interpreter {
     /// Runs a statement that opens no block. A failed one leaves the database as it was.
     pub(crate) fn run_statement(&mut self, program: &Program, index: usize, control: Control) -> Flow {
+        if self.was_an_answer(program, index) {
+            return Flow::Next;
+        }
         let mark = self.database.mark();
         let before = self.report.diagnostics.len();
-        let outcome = self.try_statement(program, index, control);
+        let mut outcome = self.try_statement(program, index, control);
+        if let Err(errors) = &mut outcome
+            && let Some(answered) = self.ask(program, index, mark, errors)
+        {
+            outcome = answered;
+        }
         self.unit_refused = outcome.is_err() && self.block_depth == 0;
         self.echo_pending(program, index, outcome.as_ref().err());
         match outcome {
@@ -107,7 +115,7 @@ impl Interpreter {
         }
     }
 
-    fn try_statement(&mut self, program: &Program, index: usize, control: Control) -> Result<Flow, Errors> {
+    pub(crate) fn try_statement(&mut self, program: &Program, index: usize, control: Control) -> Result<Flow, Errors> {
         let parsed = &program.statements[index];
         let (mut errors, mut warnings): (Errors, Errors) =
             parsed.diagnostics.iter().cloned().partition(Diagnostic::is_error);
@@ -269,7 +277,12 @@ impl Interpreter {
             Action::Settings(class, _) => self.change_settings_object(class, &call).map(|()| Flow::Next),
             Action::Verb(entry) => {
                 self.echo_now(program, span);
-                let flow = (entry.run)(self, &call)?;
+                let outcome = (entry.run)(self, &call);
+                let warnings = self.host.take_warnings();
+                if let Some(journal) = &mut self.journal {
+                    warnings.iter().for_each(|warning| journal.messages(warning));
+                }
+                let flow = outcome?;
                 self.report.diagnostics.extend(call.unused());
                 Ok(flow)
             }

@@ -42,6 +42,8 @@ pub struct Reader<'a> {
 }
 
 type Errors = Vec<Diagnostic>;
+/// The objects a name means, and what is to be said of them.
+type Named = (SmallVec<[ObjectId; 1]>, Option<Diagnostic>);
 /// The numbers of one value, the expression to keep, and what it reads.
 type NumberItem = (Numbers, Option<Expression>, Vec<CellKey>);
 /// Rarely more than a location.
@@ -426,10 +428,16 @@ impl Reader<'_> {
             if let Some(outcome) = self.evaluate(item)? {
                 match &outcome.value {
                     Value::Nothing => {}
-                    Value::Text(name) => found.extend(self.named(name, wanted, many, item.span)?),
+                    Value::Text(name) => {
+                        let (ids, said) = self.named(name, wanted, many, item.span)?;
+                        self.warnings.extend(said);
+                        found.extend(ids);
+                    }
                     Value::Texts(names) => {
                         for name in names {
-                            found.extend(self.named(name, wanted, many, item.span)?);
+                            let (ids, said) = self.named(name, wanted, many, item.span)?;
+                            self.warnings.extend(said);
+                            found.extend(ids);
                         }
                     }
                     other => {
@@ -442,7 +450,7 @@ impl Reader<'_> {
                         }
                     }
                 }
-                if argument.values.len() == 1 && !outcome.reads.is_empty() {
+                if argument.values.len() == 1 {
                     kept = outcome.kept;
                     reads = outcome.reads;
                 }
@@ -453,7 +461,9 @@ impl Reader<'_> {
                 if name.eq_ignore_ascii_case("none") && found.is_empty() && argument.values.len() == 1 {
                     return Ok(Draft::literal(Value::Nothing));
                 }
-                found.extend(self.named(&name, wanted, many, item.span)?);
+                let (ids, said) = self.named(&name, wanted, many, item.span)?;
+                self.warnings.extend(said);
+                found.extend(ids);
             }
         }
         if found.len() > field.count.most {
@@ -468,13 +478,21 @@ impl Reader<'_> {
         Ok(Draft { value, source, reads })
     }
 
-    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<SmallVec<[ObjectId; 1]>, Errors> {
+    /// The objects a name means, and what is said of a pattern that means several.
+    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<Named, Errors> {
+        let mut said = None;
         let outcome = if many && is_pattern(name) {
-            lookup::find_all(self.database, self.registry, name, wanted, span).map(SmallVec::from_vec)
+            let found = lookup::find_all(self.database, self.registry, name, wanted, span);
+            if let Ok(found) = &found
+                && found.len() > 1
+            {
+                said = Some(lookup::several(self.database, self.registry, name, wanted, found).at(span, ""));
+            }
+            found.map(SmallVec::from_vec)
         } else {
             lookup::find(self.database, self.registry, name, wanted, span).map(|id| smallvec![id])
         };
-        outcome.map_err(|e| vec![e])
+        outcome.map(|found| (found, said)).map_err(|e| vec![e])
     }
 
     fn as_wanted(&self, id: ObjectId, wanted: &str, span: Span) -> Result<ObjectId, Errors> {

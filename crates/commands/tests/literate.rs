@@ -133,6 +133,7 @@ impl Stage {
         let report = self.interpreter.execute(body);
         for (is_error, wanted) in wanted {
             let mut found: Vec<&Diagnostic> = report.diagnostics.iter().filter(|d| d.is_error() == is_error).collect();
+            found.retain(|d| d.severity != text::Severity::Note);
             for (code, text) in wanted {
                 let at = found.iter().position(|d| d.code == code && d.message.contains(&text));
                 match at {

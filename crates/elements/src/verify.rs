@@ -194,7 +194,9 @@ pub fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
     if counts.point_masses > 0 {
         lines.push(plural(counts.point_masses, "Point Mass", ""));
     }
-    lines.extend(counts.kinds.iter().map(|(kind, count)| plural(*count, kind, "")));
+    // Joints first, then what drives them.
+    let (motions, joints): (Vec<_>, Vec<_>) = counts.kinds.iter().partition(|(kind, _)| kind.as_str() == "Motion");
+    lines.extend(joints.into_iter().chain(motions).map(|(kind, count)| plural(*count, kind, "")));
     lines.push(String::new());
     for diagnostic in massless(&mut lowered) {
         lines.extend(diagnostic.adams_text);
@@ -219,13 +221,9 @@ pub fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
     lines
 }
 
-/// `1 Moving Part`, `2 Moving Parts`; words that end in `s` get `es`.
+/// `1 Moving Parts`, as Adams counts; words that end in `s` get `es`.
 fn plural(count: usize, word: &str, after: &str) -> String {
-    let ending = match (count, word.ends_with('s')) {
-        (1, _) => "",
-        (_, true) => "es",
-        _ => "s",
-    };
+    let ending = if word.ends_with('s') { "es" } else { "s" };
     format!("{count} {word}{ending}{after}")
 }
 

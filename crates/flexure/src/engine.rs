@@ -30,6 +30,8 @@ pub(crate) struct Engine {
     pub record_all: bool,
     /// Folder of the file being read; relative paths are tried there too.
     pub folder: Option<PathBuf>,
+    /// What the runs that commands asked for began with: joints that are apart, odd inertias.
+    pub warnings: Vec<Diagnostic>,
     /// Runs begun so far.
     count: usize,
     left: Option<Left>,
@@ -38,7 +40,16 @@ pub(crate) struct Engine {
 impl Default for Engine {
     fn default() -> Self {
         let observer = Box::new(Silent);
-        Engine { observer, runs: Vec::new(), idle: false, record_all: false, folder: None, count: 0, left: None }
+        Engine {
+            observer,
+            runs: Vec::new(),
+            idle: false,
+            record_all: false,
+            folder: None,
+            warnings: Vec::new(),
+            count: 0,
+            left: None,
+        }
     }
 }
 
@@ -85,6 +96,8 @@ impl Engine {
         options: &SimulationOptions,
     ) -> Result<Run, Vec<Diagnostic>> {
         self.run(database, model, options, &[])?;
+        // No command asked for this run; its messages say the same.
+        self.warnings.clear();
         self.runs.last().cloned().ok_or_else(Vec::new)
     }
 
@@ -105,7 +118,8 @@ impl Engine {
         let from = self.left_state(database, model).map(|left| left.state.clone());
         let simulation =
             Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
-        let (run, state) = simulate::run(&simulation, self.observer.as_mut())?;
+        let (run, state, warnings) = simulate::run(&simulation, self.observer.as_mut())?;
+        self.warnings = warnings;
         self.left = Some(Left { model, revision: database.revision(), state });
         self.runs.push(run);
         Ok(())

@@ -77,6 +77,11 @@ impl Session {
         self.interpreter.on_error = if abort { OnError::AbortFile } else { OnError::IgnoreCommand };
     }
 
+    /// How many passes a loop may have before it is taken for endless and stopped.
+    pub fn limit_passes(&mut self, most: u64) {
+        self.interpreter.most_passes = most;
+    }
+
     /// Whether simulations that commands ask for are left out.
     pub fn simulate_nothing(&mut self, nothing: bool) {
         self.engine().idle = nothing;
@@ -351,6 +356,10 @@ struct EngineHost(Arc<Mutex<Engine>>);
 impl Host for EngineHost {
     fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>> {
         lock(&self.0).obey(database, request)
+    }
+
+    fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut lock(&self.0).warnings)
     }
 
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {

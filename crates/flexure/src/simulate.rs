@@ -34,18 +34,20 @@ pub(crate) struct Prepared {
     pub lowered: Lowered,
     pub state: SystemState,
     pub messages: Vec<String>,
+    /// Those messages that Adams writes into its log.
+    pub warnings: Vec<Diagnostic>,
     /// Degrees of freedom.
     pub freedom: usize,
 }
 
-/// Runs a simulation; returns the run and where it left the model.
+/// Runs a simulation; returns the run, where it left the model, and what was odd at its start.
 pub(crate) fn run(
     simulation: &Simulation<'_>,
     observer: &mut dyn RunObserver,
-) -> Result<(Run, SystemState), Vec<Diagnostic>> {
+) -> Result<(Run, SystemState, Vec<Diagnostic>), Vec<Diagnostic>> {
     let Simulation { database, model, .. } = *simulation;
     let prepared = prepare(database, model, simulation.from.clone(), simulation.record_all)?;
-    let Prepared { lowered, mut state, mut messages, freedom } = prepared;
+    let Prepared { lowered, mut state, mut messages, warnings, freedom } = prepared;
     let analysis = settle(simulation.options.analysis, freedom, &mut messages)?;
     // Whatever is wrong with the settings is said before results of an earlier run are touched.
     let plan = Plan::new(simulation, analysis, state.t, &mut messages)?;
@@ -74,7 +76,7 @@ pub(crate) fn run(
         Ok(statistics) => {
             run.statistics = statistics;
             observer.end(&run);
-            Ok((run, state))
+            Ok((run, state, warnings))
         }
         Err(mut errors) => {
             observer.end(&run);
@@ -101,7 +103,9 @@ pub(crate) fn prepare(
         v,
         ..SystemState::default()
     });
-    let mut messages = apart(system, &state, database.units());
+    let mut warnings = apart(system, &state, database.units());
+    warnings.extend(odd_inertias(database, model));
+    let mut messages: Vec<String> = warnings.iter().map(|w| format!("WARNING: {}", w.message)).collect();
     let redundant = switch_off_redundant(system, &state)?;
     if !redundant.is_empty() {
         messages.push("Degree-of-freedom analysis identified redundant constraints in the model:".to_string());
@@ -110,7 +114,7 @@ pub(crate) fn prepare(
     assemble(system, &mut state)?;
     contradictions(system, &state)?;
     let freedom = system.velocities().saturating_sub(system.constraints());
-    Ok(Prepared { lowered, state, messages, freedom })
+    Ok(Prepared { lowered, state, messages, warnings, freedom })
 }
 
 /// Names of the equations that were switched off, `Zi.Xj in .model.JOINT_2`.
@@ -147,11 +151,11 @@ fn assemble(system: &mut System, state: &mut SystemState) -> Result<(), Vec<Diag
 
 /// What Adams says at the start of a run of joints whose markers are apart: displacement of I from J
 /// in J axes.
-fn apart(system: &mut System, state: &SystemState, units: &UnitSystem) -> Vec<String> {
+fn apart(system: &mut System, state: &SystemState, units: &UnitSystem) -> Vec<Diagnostic> {
     let (q, v) = (state.q.clone(), state.v.clone());
     system.state(state.t, &q, &v, None);
     let unit = units.length.si;
-    let mut messages = Vec::new();
+    let mut warnings = Vec::new();
     for constraint in system.constraint_list() {
         let coincident = (0..constraint.equations())
             .filter(|e| ["X", "Y", "Z"].contains(&constraint.equation_name(*e).0.as_str()))
@@ -163,18 +167,47 @@ fn apart(system: &mut System, state: &SystemState, units: &UnitSystem) -> Vec<St
         let d = relative(system.last_state(), i, j).d_ji_j / unit;
         // Exports carry ten digits; what is smaller is no displacement.
         if d.length() > 1e-6 * (system.size() / unit).max(1.0) {
-            messages.push(format!(
-                "WARNING: The markers for {} are not initially coincident. The relative displacement between the \
-                 markers, expressed in the J marker coordinate frame is: Delta X = {:.4}  Delta Y = {:.4}  \
-                 Delta Z = {:.4}. The parts are moved together.",
-                constraint.name().trim_start_matches('.'),
-                d.x,
-                d.y,
-                d.z
-            ));
+            let name = constraint.name().trim_start_matches('.');
+            let [x, y, z] = d.to_array().map(|x| x + 0.0);
+            let message = format!(
+                "The markers for {name} are not initially coincident. The relative displacement between the markers, \
+                 expressed in the J marker coordinate frame is: Delta X = {x:.4}  Delta Y = {y:.4}  Delta Z = {z:.4}. \
+                 The parts are moved together."
+            );
+            warnings.push(
+                Diagnostic::warning("run/markers-apart", message)
+                    .adams(format!("The markers for {name} are not initially coincident."))
+                    .adams("The relative displacement between the markers, expressed in the")
+                    .adams("J marker coordinate frame is:")
+                    .adams(format!("Delta X = {x:8.4}   Delta Y = {y:8.4}  Delta Z = {z:8.4}.")),
+            );
         }
     }
-    messages
+    warnings
+}
+
+/// What Adams says at the start of a run of parts whose inertias are of very different size.
+fn odd_inertias(database: &Database, model: ObjectId) -> Vec<Diagnostic> {
+    let mut warnings = Vec::new();
+    for part in database.below(model, "part") {
+        let given: Vec<f64> = ["ixx", "iyy", "izz"].into_iter().filter_map(|i| database.si(part, i)).collect();
+        let (least, most) = given.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), x| (a.min(*x), b.max(*x)));
+        if given.len() == 3 && least > 0.0 && most > 1e4 * least && database.flag(part, "active") != Some(false) {
+            let full = database.full_name(part);
+            let name = full.trim_start_matches('.');
+            let message = format!(
+                "IP data specified for PART {name} may not be physically meaningful, since two inertias differ by more \
+                 than four orders of magnitude."
+            );
+            warnings.push(
+                Diagnostic::warning("run/odd-inertias", message)
+                    .adams(format!("IP data specified for PART {name} "))
+                    .adams("may not be physically meaningful, since two Inertias differ by more ")
+                    .adams("than four orders of magnitude."),
+            );
+        }
+    }
+    warnings
 }
 
 /// Equations that were switched off because others say the same must hold all the same, in position

@@ -5,7 +5,7 @@ use schema::{Field, Kind, Verb};
 use text::Diagnostic;
 
 use super::{VerbEntry, entry};
-use crate::{Interpreter, call::Call, interpreter::Flow, number, values::text_of};
+use crate::{Interpreter, call::Call, evaluation, interpreter::Flow, number, values::text_of};
 
 const BRIEF: Field = Field::on_off("brief").doc("short form");
 const SHOW: Field = Field::on_off("write_to_terminal").doc("show the listing");
@@ -72,12 +72,13 @@ fn list(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnost
         let wanted = wanted.to_ascii_lowercase();
         ids.retain(|id| interpreter.database.object(*id).class.is(&wanted));
     }
+    let in_full = interpreter.flag_argument(call, "brief")? == Some(false);
     let mut lines = Vec::new();
     for id in ids {
         if !lines.is_empty() {
             lines.push(String::new());
         }
-        describe(interpreter, id, &mut lines);
+        describe(interpreter, id, in_full, &mut lines);
     }
     if interpreter.flag_argument(call, "write_to_terminal")? != Some(false) {
         interpreter.show(&lines);
@@ -86,7 +87,8 @@ fn list(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnost
     Ok(Flow::Next)
 }
 
-fn describe(interpreter: &Interpreter, id: ObjectId, lines: &mut Vec<String>) {
+/// The values of an object; in full also what has no value, and what others are computed from.
+fn describe(interpreter: &Interpreter, id: ObjectId, in_full: bool, lines: &mut Vec<String>) {
     let database = &interpreter.database;
     let object = database.object(id);
     lines.push(format!("Object Name     : {}", database.full_name(id)));
@@ -95,7 +97,12 @@ fn describe(interpreter: &Interpreter, id: ObjectId, lines: &mut Vec<String>) {
         lines.push(format!("Parent Type     : {}", database.object(parent).class.word));
     }
     for (index, field) in object.class.fields().enumerate() {
-        let Some(cell) = object.cells.get(index).and_then(Option::as_ref) else { continue };
+        let Some(cell) = object.cells.get(index).and_then(Option::as_ref) else {
+            if in_full {
+                lines.push(format!("{:<16}: (not set)", field.name));
+            }
+            continue;
+        };
         let text = match &cell.value {
             Value::Number(_) | Value::Array(_) => {
                 let numbers = database.numbers(id, field.name).unwrap_or_default();
@@ -106,5 +113,9 @@ fn describe(interpreter: &Interpreter, id: ObjectId, lines: &mut Vec<String>) {
         let unit = database.units().label(field.dimension);
         let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
         lines.push(format!("{:<16}: {text}{unit}", field.name));
+        if in_full {
+            let computed = cell.expressions().into_iter().map(|e| evaluation::print(e, database));
+            lines.extend(computed.map(|e| format!("{:<16}  = ({e})", "")));
+        }
     }
 }

@@ -167,7 +167,7 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
             if let Some(index) = index {
                 draft = set_element(interpreter, id, field.name, index, draft, argument.value_span)?;
             } else {
-                draft.value = simplified(draft.value);
+                draft.value = simplified(draft.value, field.kind);
             }
             for other in VALUES.iter().filter(|v| **v != field.name) {
                 if let Some(cell) = class.cell_index(other)
@@ -187,8 +187,11 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
 }
 
 /// A list of one is the value itself.
-fn simplified(value: Value) -> Value {
+fn simplified(value: Value, kind: Kind) -> Value {
     match value {
+        Value::Array(Array { values, .. }) if values.len() == 1 && kind == Kind::Integer => {
+            Value::Integer(values[0] as i64)
+        }
         Value::Array(Array { values, .. }) if values.len() == 1 => Value::Number(values[0]),
         Value::Texts(mut texts) if texts.len() == 1 => Value::Text(texts.remove(0)),
         Value::Objects(ids) if ids.len() == 1 => Value::Object(ids[0]),
