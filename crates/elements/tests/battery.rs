@@ -40,6 +40,34 @@ fn single(kind: &str, action_only: bool, function: &str) -> Build {
     b
 }
 
+/// A bushing with all its numbers, or a spring and damper.
+fn elastic(class: &str) -> Build {
+    let (mut b, i, j) = two_parts();
+    let force = b.add(class, b.model, "force");
+    b.refer(force, "i_marker_name", i);
+    b.refer(force, "j_marker_name", j);
+    if class == "bushing" {
+        for (cell, values) in [
+            ("stiffness", [5.0, 6.0, 7.0]),
+            ("damping", [0.3, 0.2, 0.1]),
+            ("force_preload", [10.0, -20.0, 30.0]),
+            ("tstiffness", [300.0, 400.0, 500.0]),
+            ("tdamping", [5.0, 6.0, 7.0]),
+            ("torque_preload", [1000.0, 2000.0, -500.0]),
+        ] {
+            b.numbers(force, cell, &values);
+        }
+    } else {
+        let turns = class == "rotational_spring_damper";
+        // 2E4 newton-mm and 300 newton-mm-s per radian, given per degree.
+        let radian = if turns { std::f64::consts::PI / 180.0 } else { 1.0 };
+        b.set(force, "stiffness", if turns { 2e4 * radian } else { 5.0 });
+        b.set(force, "damping", if turns { 300.0 * radian } else { 0.3 });
+        b.set(force, "displacement_at_preload", if turns { 0.0 } else { 380.0 });
+    }
+    b
+}
+
 const SPRING: &str = "-5*(DM(.m.second.i,.m.first.j)-380) - 0.3*VR(.m.second.i,.m.first.j)";
 const TWIST: &str = "-2E4*AZ(.m.second.i,.m.first.j) - 300*WZ(.m.second.i,.m.first.j,.m.first.j)";
 const MIXED: &str = "STEP(TIME,0,0,1,4)*DX(.m.second.i,.m.first.j,.m.second.cm)+VY(.m.second.i,.m.first.j,.m.first.cm)";
@@ -50,6 +78,9 @@ fn all() -> Vec<(&'static str, Build)> {
         ("string beam", beam("string")),
         ("spring", single("translational", false, SPRING)),
         ("torsion spring", single("rotational", false, TWIST)),
+        ("bushing", elastic("bushing")),
+        ("spring-damper", elastic("translational_spring_damper")),
+        ("torsion spring-damper", elastic("rotational_spring_damper")),
         ("action-only force", single("translational", true, MIXED)),
     ]
 }
@@ -170,6 +201,33 @@ fn loads_move_with_the_scene() {
             let force = rotation * DVec3::from_slice(&here[6 * body..]) - DVec3::from_slice(&there[6 * body..]);
             let torque = DVec3::from_slice(&here[6 * body + 3..]) - DVec3::from_slice(&there[6 * body + 3..]);
             assert!(force.length().max(torque.length()) < 1e-11 * size, "{what}: {force} {torque} of {size}");
+        }
+    }
+}
+
+/// Twin: the same spring and damper as a single-component force with a function. Rounding of a few
+/// products is the tolerance.
+#[test]
+fn spring_dampers_are_the_forces_of_their_functions() {
+    for (class, kind, function) in
+        [("translational_spring_damper", "translational", SPRING), ("rotational_spring_damper", "rotational", TWIST)]
+    {
+        let residual = |b: &Build| {
+            let mut lowered = lower(&b.database, b.model, Options::default()).unwrap_or_else(|d| panic!("{d:?}"));
+            let system = &mut lowered.system;
+            let (q0, _) = system.initial_state();
+            let n = system.velocities();
+            let mut q = q0.clone();
+            system.retract(&q0, &state(n), &mut q);
+            let mut r = vec![0.0; n];
+            system.residual(0.7, &q, &state(n), &vec![0.0; n], &[], &mut r).unwrap();
+            r
+        };
+        let (one, other) = (residual(&elastic(class)), residual(&single(kind, false, function)));
+        let size = one.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        assert!(size > 0.0);
+        for (a, b) in one.iter().zip(&other) {
+            assert!((a - b).abs() < 1e-12 * size, "{class}: {a} is not {b}");
         }
     }
 }

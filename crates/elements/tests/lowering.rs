@@ -33,6 +33,23 @@ fn what_acts_but_cannot_be_simulated_refuses_the_run() {
     }
 }
 
+/// A number that is none is named, and so are numbers that are missing.
+#[test]
+fn springs_without_usable_numbers_are_refused() {
+    let mut b = cantilever();
+    let (i, j) = (b.database.find(".m.tip.i", "marker").unwrap(), b.database.find(".m.ground.root", "marker").unwrap());
+    let bushing = b.joint("bushing", "mount", i, j);
+    assert!(errors(&b).is_empty());
+    b.numbers(bushing, "stiffness", &[1.0, 2.0]);
+    b.numbers(bushing, "tdamping", &[1.0, f64::NAN, 2.0]);
+    let found = errors(&b);
+    assert_eq!(codes(&found), ["force/not-a-number"; 2]);
+    assert!(found[0].message.contains("`stiffness` of bushing `.m.mount` is not 3 finite numbers"), "{found:?}");
+    let spring = b.add("translational_spring_damper", b.model, "spring");
+    b.refer(spring, "i_marker_name", i);
+    assert!(codes(&errors(&b)).contains(&"force/no-marker"));
+}
+
 /// One beam from ground to a part, 500 mm along x.
 fn cantilever() -> Build {
     let mut b = Build::new(UnitSystem::mmks());

@@ -1,8 +1,10 @@
 //! Elements that put loads on bodies.
 
+pub mod angles;
 pub mod beam;
 pub mod bushing;
 pub mod contact;
+pub mod elastic;
 pub mod field;
 pub mod force_vector;
 pub mod friction;

@@ -242,8 +242,7 @@ fn default_fits(row: &Row, field: &Field) -> bool {
     }
     let numbers: Result<Vec<f64>, _> = row.default.split(',').map(|n| n.trim().parse::<f64>()).collect();
     match (field.default, row.default.as_str()) {
-        (Default::None, "") => true,
-        (Default::CoordinateSystem, "default coord. system") => true,
+        (Default::None, "") | (Default::CoordinateSystem, "default coord. system") => true,
         (Default::Current, text) => text.starts_with("current default"),
         (Default::Word(word), text) => text.eq_ignore_ascii_case(word),
         (Default::Number(x), _) => numbers.is_ok_and(|list| {

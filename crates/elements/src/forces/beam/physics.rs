@@ -4,6 +4,8 @@
 use equations::Relative;
 use glam::{DMat3, DVec3};
 
+pub use crate::forces::angles::{projected_angles, projected_angles_by_rotation};
+
 /// Six numbers: translation or force, then rotation or torque, in J axes.
 pub type Vec6 = [f64; 6];
 /// Row-major 6x6.
@@ -203,25 +205,6 @@ fn rates(motion: &Relative) -> Vec6 {
 
 fn dot(a: &Vec6, b: &Vec6) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-/// Angles about x, y, z of J from projected axes of I (B.2), rad.
-pub fn projected_angles(rot_ji: &DMat3) -> [f64; 3] {
-    let (x, z) = (rot_ji.x_axis, rot_ji.z_axis);
-    [(-z.y).atan2(z.z), z.x.atan2(z.z), x.y.atan2(x.x)]
-}
-
-/// Derivative of [`projected_angles`] by a small rotation of I in J axes.
-pub fn projected_angles_by_rotation(rot_ji: &DMat3) -> [[f64; 3]; 3] {
-    let (x, z) = (rot_ji.x_axis, rot_ji.z_axis);
-    // The projections vanish only where an angle is undefined; the load is a jump there anyway.
-    let [yz, xz, xy] =
-        [z.y * z.y + z.z * z.z, z.x * z.x + z.z * z.z, x.x * x.x + x.y * x.y].map(|square: f64| square.max(1e-30));
-    [
-        [1.0, -z.x * z.y / yz, -z.x * z.z / yz],
-        [-z.y * z.x / xz, 1.0, -z.y * z.z / xz],
-        [-x.z * x.x / xy, -x.z * x.y / xy, 1.0],
-    ]
 }
 
 /// Rotation vector of a rotation (B.3), rad; its length is at most pi.

@@ -1,0 +1,143 @@
+//! Springs and dampers between two markers: a law turns the motion of I relative to J into the load
+//! on I, and this file does the rest.
+
+use equations::{
+    BodyId, Concern, Force, FrameId, FrameLoad, Loads, Relative, Side, State, Tangent, apply_between, load_of_reaction,
+    relative, tangent_between,
+};
+use glam::DVec3;
+use model::ObjectId;
+use schema::Default;
+use solver::Evaluation;
+use text::Diagnostic;
+
+use crate::lower::{Lowering, distinct_bodies, word_of};
+
+/// Load on I, in J axes, with its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response {
+    pub load: [f64; 6],
+    /// d(load) / d[displacement, small rotation] of I relative to J, all in J axes.
+    pub by_position: [[f64; 6]; 6],
+    /// d(load) / d[velocity, angular velocity].
+    pub by_velocity: [[f64; 6]; 6],
+}
+
+/// What the load follows from.
+pub trait Law: Send + Sync {
+    /// The load and its derivatives.
+    fn response(&self, motion: &Relative) -> Response;
+    /// Elastic energy and that of the preload, J.
+    fn energy(&self, motion: &Relative) -> f64;
+    /// Why there is no load in this state.
+    fn trouble(&self, _motion: &Relative) -> Option<&'static str> {
+        None
+    }
+    /// What the user should know about this state.
+    fn concern(&self, _motion: &Relative) -> Option<Concern> {
+        None
+    }
+}
+
+/// A law between two frames.
+pub struct Elastic<L> {
+    pub name: String,
+    pub i: FrameId,
+    pub j: FrameId,
+    /// Bodies of the two frames.
+    pub bodies: [BodyId; 2],
+    pub law: L,
+}
+
+impl<L: Law> Elastic<L> {
+    fn checked(&self, state: &State) -> Result<Response, Evaluation> {
+        let motion = relative(state, self.i, self.j);
+        match self.law.trouble(&motion) {
+            None => Ok(self.law.response(&motion)),
+            Some(why) => Err(Evaluation { message: format!("`{}` at time {} s: {why}", self.name, state.time) }),
+        }
+    }
+}
+
+impl<L: Law> Force for Elastic<L> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn bodies(&self) -> Vec<BodyId> {
+        distinct_bodies(&self.bodies)
+    }
+
+    fn add_loads(&self, state: &State, loads: &mut dyn Loads) -> Result<(), Evaluation> {
+        let response = self.checked(state)?;
+        apply_between(state, self.i, self.j, &response.load, loads);
+        Ok(())
+    }
+
+    fn add_tangent(&self, state: &State, tangent: &mut dyn Tangent) -> Result<(), Evaluation> {
+        let response = self.checked(state)?;
+        let (by_position, by_velocity) = (&response.by_position, &response.by_velocity);
+        tangent_between(state, self.i, self.j, &response.load, by_position, by_velocity, tangent);
+        Ok(())
+    }
+
+    fn load_at(&self, state: &State, side: Side) -> FrameLoad {
+        let load = self.law.response(&relative(state, self.i, self.j)).load;
+        let (i, j) = (state.frame(self.i), state.frame(self.j));
+        let on_i = FrameLoad {
+            f_g: j.rot_gi * DVec3::new(load[0], load[1], load[2]),
+            t_g: j.rot_gi * DVec3::new(load[3], load[4], load[5]),
+        };
+        match side {
+            Side::I => on_i,
+            Side::J => load_of_reaction(i, j, on_i),
+        }
+    }
+
+    fn frame(&self, side: Side) -> Option<FrameId> {
+        Some(match side {
+            Side::I => self.i,
+            Side::J => self.j,
+        })
+    }
+
+    fn energy(&self, state: &State) -> f64 {
+        self.law.energy(&relative(state, self.i, self.j))
+    }
+
+    fn concern(&self, state: &State) -> Option<Concern> {
+        self.law.concern(&relative(state, self.i, self.j))
+    }
+}
+
+/// Adds a law between the markers of an object, unless one of them or the law is missing.
+pub fn add<L: Law + 'static>(lowering: &mut Lowering<'_>, object: ObjectId, law: Option<L>) {
+    let i = lowering.frame_cell(object, "i_marker_name", "force/no-marker");
+    let j = lowering.frame_cell(object, "j_marker_name", "force/no-marker");
+    let (Some(i), Some(j), Some(law)) = (i, j, law) else { return };
+    let bodies = [lowering.body_of_frame(i), lowering.body_of_frame(j)];
+    let name = lowering.name(object);
+    lowering.add_force(object, Box::new(Elastic { name, i, j, bodies, law }));
+}
+
+/// The numbers of a cell in SI, or the default of its field; reports what is no such list.
+pub fn numbers<const N: usize>(lowering: &mut Lowering<'_>, object: ObjectId, cell: &str) -> Option<[f64; N]> {
+    let database = lowering.database;
+    let class = database.object(object).class;
+    let given = database.si_numbers(object, cell).or_else(|| {
+        let field = class.field(class.cell_index(cell)?);
+        let Default::Number(x) = field.default else { return None };
+        Some(vec![x * lowering.factor(field.dimension); N])
+    });
+    let found =
+        given.and_then(|list| <[f64; N]>::try_from(list).ok()).filter(|list| list.iter().all(|x| x.is_finite()));
+    if found.is_none() {
+        let (name, word) = (lowering.name(object), word_of(database, object));
+        let wanted = if N == 1 { "a finite number".to_string() } else { format!("{N} finite numbers") };
+        lowering.report(
+            Diagnostic::error("force/not-a-number", format!("`{cell}` of {word} `{name}` is not {wanted}"))
+                .help(format!("give `{cell}` {wanted}")),
+        );
+    }
+    found
+}
