@@ -27,12 +27,14 @@ pub enum Command {
     Check(Check),
     /// Degrees of freedom, redundant constraints, and the traps of beams.
     Verify(Verify),
-    /// Write a model in another format: .cmd to .adm or .cmd.
+    /// Write a model in another format: .cmd or .fx to .cmd, .adm or .fx.
     Convert(Convert),
     /// Draw series of a results file, or a model, as SVG or PNG.
     Plot(Plot),
     /// Compare two results files.
     Diff(Diff),
+    /// The command window: Tab completes, `?` lists what may follow, every command can be undone.
+    Shell(Shell),
     /// List what is run, what is kept but not simulated, and what is not supported.
     Support,
 }
@@ -55,7 +57,7 @@ pub enum OnError {
 
 #[derive(Debug, Args)]
 pub struct Run {
-    /// Command files (.cmd, .mac); `-` reads standard input.
+    /// Command files (.cmd, .mac) and models (.fx); `-` reads standard input.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -79,7 +81,7 @@ pub struct Run {
 
 #[derive(Debug, Args)]
 pub struct Simulate {
-    /// Model (.cmd).
+    /// Model (.cmd, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -117,7 +119,7 @@ pub struct Simulate {
 
 #[derive(Debug, Args)]
 pub struct Modes {
-    /// Model (.cmd).
+    /// Model (.cmd, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -156,7 +158,7 @@ pub struct Check {
 
 #[derive(Debug, Args)]
 pub struct Verify {
-    /// Model (.cmd).
+    /// Model (.cmd, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -173,9 +175,9 @@ pub struct Verify {
 
 #[derive(Debug, Args)]
 pub struct Convert {
-    /// Model (.cmd).
+    /// Model (.cmd, .fx).
     pub input: PathBuf,
-    /// .cmd or .adm.
+    /// .cmd, .adm or .fx.
     pub output: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -183,7 +185,7 @@ pub struct Convert {
 
 #[derive(Debug, Args)]
 pub struct Plot {
-    /// Results (.csv, .parquet) or a model (.cmd).
+    /// Results (.csv, .parquet) or a model (.cmd, .fx).
     pub input: PathBuf,
     /// Picture: FILE.svg or FILE.png.
     #[arg(short, long, value_name = "FILE")]
@@ -206,4 +208,28 @@ pub struct Diff {
     /// Largest difference, relative to the largest value of a series, that still counts as equal.
     #[arg(long, default_value_t = 0.0)]
     pub tolerance: f64,
+}
+
+#[derive(Debug, Args)]
+pub struct Shell {
+    /// Model (.cmd, .fx); a .fx file is saved with every command and made if it is missing.
+    pub model: Option<PathBuf>,
+    /// Save every command in FILE.fx from now on.
+    #[arg(long, value_name = "FILE.fx")]
+    pub save: Option<PathBuf>,
+    /// Let --save replace a file that exists.
+    #[arg(long, requires = "save")]
+    pub overwrite: bool,
+    /// Look into a .fx file, also while another session holds it; nothing is saved.
+    #[arg(long, requires = "model")]
+    pub read_only: bool,
+    /// Write a journal in the layout of aview.log.
+    #[arg(long, value_name = "FILE")]
+    pub journal: Option<PathBuf>,
+    /// Folder for results.
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub out: PathBuf,
+    /// Record everything: parts, joints, motions and forces too.
+    #[arg(long)]
+    pub all: bool,
 }

@@ -7,6 +7,8 @@ mod commands;
 mod interrupt;
 mod output;
 mod progress;
+mod shell;
+mod shell_line;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -38,6 +38,14 @@ impl Watcher {
         (Watcher { target, stream: None, bar: None, quiet, log: log.clone() }, log)
     }
 
+    /// Says something beside the progress.
+    pub fn aside(&self, say: impl FnOnce()) {
+        match &self.bar {
+            Some(bar) => bar.suspend(say),
+            None => say(),
+        }
+    }
+
     fn note(&self, write: impl FnOnce(&mut Log)) {
         write(&mut self.log.lock().unwrap_or_else(PoisonError::into_inner));
     }
@@ -96,10 +104,7 @@ impl RunObserver for Watcher {
     }
 
     fn message(&mut self, text: &str) {
-        match &self.bar {
-            Some(bar) => bar.suspend(|| eprintln!("{text}")),
-            None => eprintln!("{text}"),
-        }
+        self.aside(|| eprintln!("{text}"));
     }
 
     fn end(&mut self, run: &Run) {

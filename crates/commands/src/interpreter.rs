@@ -233,9 +233,7 @@ impl Interpreter {
 
     /// Whether a text ends within a block or a continued command, so that more must be typed.
     pub fn is_incomplete(&mut self, text: &str) -> bool {
-        let code = text.trim_end().rsplit('\n').next().unwrap_or("");
-        let code = code.split('!').next().unwrap_or("").trim_end();
-        if code.ends_with('&') {
+        if crate::complete_situation::is_continued(text) {
             return true;
         }
         let mut sources = Sources::default();

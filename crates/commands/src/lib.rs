@@ -9,11 +9,14 @@
 mod arguments;
 mod blocks;
 mod call;
+mod complete;
+mod complete_situation;
 mod control;
 mod ends;
 mod evaluation;
 mod export;
 mod function_text;
+mod help;
 mod host;
 mod interpreter;
 mod journal;
@@ -35,6 +38,7 @@ mod values;
 mod verbs;
 mod words;
 
+pub use complete::{Candidate, Completion};
 pub use export::write_model;
 pub use host::{Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
 pub use interpreter::{Interpreter, OnError, Report};

@@ -456,7 +456,21 @@ fn substitute(body: &str, values: &[(String, String)]) -> String {
     text
 }
 
+/// What is known of a parameter of a macro, for help.
+pub(crate) struct ParameterOfMacro<'a> {
+    pub kind: &'a str,
+    pub default: Option<&'a str>,
+    pub required: bool,
+}
+
 impl Macros {
+    pub(crate) fn parameter(&self, id: ObjectId, name: &str) -> Option<ParameterOfMacro<'_>> {
+        let formal = self.known.get(&id)?.formals.iter().find(|f| f.name.eq_ignore_ascii_case(name))?;
+        let kind = if formal.kind.is_empty() { "real" } else { &formal.kind };
+        let default = formal.default.as_deref();
+        Some(ParameterOfMacro { kind, default, required: default.is_none() && formal.least > 0 })
+    }
+
     /// Defaults that calls have changed (`ud`), by macro and parameter.
     pub(crate) fn updated_defaults(&self) -> Vec<(ObjectId, Vec<(&str, &str)>)> {
         let mut found: Vec<_> = Vec::new();

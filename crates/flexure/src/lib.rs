@@ -10,6 +10,7 @@ mod session;
 mod settings;
 mod simulate;
 mod support;
+mod window;
 
 pub use attributes::{Attribute, AttributeValue};
 pub use modes::{Mode, ModesReport};
@@ -17,6 +18,7 @@ pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
 pub use session::{Report, Session, Verification};
 pub use settings::{Analysis, Outputs, SimulationOptions};
 pub use support::{Support, support};
+pub use window::{Candidate, Completion};
 
 pub use elements::Finding;
 pub use parquet;

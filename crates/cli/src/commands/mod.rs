@@ -30,13 +30,14 @@ pub(crate) fn execute(arguments: &Arguments) -> Outcome {
         Command::Convert(convert) => convert::execute(convert),
         Command::Plot(plot) => plot::execute(plot),
         Command::Diff(diff) => diff::execute(diff),
+        Command::Shell(shell) => crate::shell::execute(shell),
         Command::Support => support::execute(),
     }
 }
 
 /// A session that stops when the user presses Ctrl-C. It is never taken apart: the process ends with
 /// it, and freeing a large model piece by piece takes a tenth of the time that reading it took.
-fn session() -> ManuallyDrop<Session> {
+pub(crate) fn session() -> ManuallyDrop<Session> {
     let mut session = Session::new();
     session.set_interrupt(interrupt::flag());
     ManuallyDrop::new(session)
@@ -46,7 +47,7 @@ fn session() -> ManuallyDrop<Session> {
 const MOST_PRINTED: usize = 200;
 
 /// Prints diagnostics to standard error.
-fn print(session: &Session, diagnostics: &[Diagnostic]) {
+pub(crate) fn print(session: &Session, diagnostics: &[Diagnostic]) {
     if diagnostics.is_empty() {
         return;
     }
@@ -59,7 +60,7 @@ fn print(session: &Session, diagnostics: &[Diagnostic]) {
 }
 
 /// A sentence on standard error, as every refusal of a subcommand.
-fn complain(sentence: impl std::fmt::Display) {
+pub(crate) fn complain(sentence: impl std::fmt::Display) {
     eprintln!("flexure: {sentence}");
 }
 
@@ -76,7 +77,7 @@ fn read(session: &mut Session, path: &Path) -> Report {
 }
 
 /// Reads a model and executes the `-e` commands; prints what is to be said. False after an error.
-fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
+pub(crate) fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
     let report = read(session, path);
     print(session, &report.diagnostics);
     let mut sound = !report.has_errors();

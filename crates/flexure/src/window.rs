@@ -1,0 +1,32 @@
+//! What a command window asks a session: whether what is typed is whole, what may follow it, and help.
+
+pub use commands::{Candidate, Completion};
+
+use crate::session::Session;
+
+impl Session {
+    /// Whether a text ends within a block or a continued command, so that more must be typed.
+    pub fn is_incomplete(&mut self, text: &str) -> bool {
+        self.interpreter.is_incomplete(text)
+    }
+
+    /// What may stand at the end of half-typed text.
+    pub fn complete(&self, text: &str) -> Completion {
+        self.interpreter.complete(text)
+    }
+
+    /// Whether `?` at the end of a text asks what may follow.
+    pub fn asks_for_help(&self, text: &str) -> bool {
+        self.interpreter.asks_for_help(text)
+    }
+
+    /// What `?` shows at the end of a text.
+    pub fn question(&self, text: &str) -> Vec<String> {
+        self.interpreter.question(text)
+    }
+
+    /// What `help` shows, with the words behind it.
+    pub fn help(&self, words: &[&str]) -> Vec<String> {
+        self.interpreter.help_lines(words)
+    }
+}
