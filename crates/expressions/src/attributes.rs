@@ -107,6 +107,9 @@ impl Evaluator<'_> {
     fn standard(&mut self, id: ObjectId, word: &str) -> Outcome<Value> {
         let database = self.scope.database;
         let Some(object) = database.get(id) else { return Err(deleted()) };
+        if !matches!(word, "self" | "type") {
+            self.read(crate::STRUCTURE);
+        }
         Ok(match word {
             "name" => Value::Text(object.name.clone()),
             "full_name" => Value::Text(database.full_name(id)),

@@ -288,6 +288,49 @@ fn shaped(value: Value, field: &Field, scope: &Scope) -> Outcome<Value> {
     })
 }
 
+/// Stands among the cells an expression read if its value follows from which objects there are and
+/// how they are called. It is no cell of an object.
+pub const STRUCTURE: CellKey = CellKey { object: ObjectId(u32::MAX), cell: u16::MAX };
+
+/// Evaluates again what follows from which objects there are; to be called after commands that
+/// changed the model. A cell that cannot be computed any more keeps its value, is left alone from
+/// then on, and is returned as a warning.
+#[allow(clippy::result_large_err)]
+pub fn restructure(database: &mut Database) -> Result<Vec<Diagnostic>, Diagnostic> {
+    let mut warnings = Vec::new();
+    for key in database.dependents(STRUCTURE).to_vec() {
+        let Some(object) = database.get(key.object) else { continue };
+        let Some(cell) = object.cells.get(key.cell as usize).and_then(Option::as_ref) else { continue };
+        let (source, old) = (cell.source.clone(), cell.value.clone());
+        match compute(database, key, &source) {
+            Ok(computed) => {
+                let units = database.settings().units;
+                let changed = computed.value != old;
+                if database.reads(key) != computed.reads {
+                    database.set_reads(key, computed.reads);
+                }
+                if changed {
+                    database.set_cell(key, Some(Cell { value: computed.value, units, source }));
+                    recompute(database, &[key])?;
+                }
+            }
+            Err(error) => {
+                let rest = database.reads(key).iter().copied().filter(|r| *r != STRUCTURE).collect();
+                database.set_reads(key, rest);
+                let name = cell_name(database, key);
+                warnings.push(
+                    Diagnostic::warning(
+                        "expression/no-longer-valid",
+                        format!("`{name}` keeps its value: {}", error.message),
+                    )
+                    .note("its expression asks the database and has no value any more"),
+                );
+            }
+        }
+    }
+    Ok(warnings)
+}
+
 /// Evaluates again everything that depends on changed cells, each after what it reads. A circle is
 /// an error that names its cells. On an error the caller rolls back.
 #[allow(clippy::result_large_err)]

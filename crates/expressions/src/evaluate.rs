@@ -73,6 +73,9 @@ impl<'a> Evaluator<'a> {
                     return Err(functions::wrong_count(function, arguments.len()));
                 }
                 let values = arguments.iter().map(|a| self.node(a)).collect::<Outcome<Vec<_>>>()?;
+                if function.searches {
+                    self.read(crate::STRUCTURE);
+                }
                 let value = (function.run)(&mut Arguments { name: function.name, values: &values, evaluator: self })?;
                 check_finite(function.name, value)
             }

@@ -25,7 +25,7 @@ mod print;
 
 pub use attributes::read_as_attribute;
 pub use bind::{Bound, bind};
-pub use cells::{compute, convert_location, convert_orientation, recompute};
+pub use cells::{STRUCTURE, compute, convert_location, convert_orientation, recompute, restructure};
 pub use dimension::{is_rate_of_angle, radians_per_time};
 pub use evaluate::{Evaluated, evaluate};
 pub use functions::{FunctionInfo, functions, refused_functions};

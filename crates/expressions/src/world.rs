@@ -12,7 +12,7 @@ use std::{
 use schema::Class;
 
 /// A source of time: since 1970 in universal time.
-type Clock = Box<dyn Fn() -> Duration>;
+type Clock = Box<dyn Fn() -> Duration + Send>;
 
 /// The surroundings of a session.
 pub struct World {
@@ -60,7 +60,7 @@ impl World {
     /// The same with another clock, also for processor time, so that what depends on time can be
     /// repeated.
     #[must_use]
-    pub fn with_clock(self, clock: impl Fn() -> Duration + Clone + 'static) -> World {
+    pub fn with_clock(self, clock: impl Fn() -> Duration + Clone + Send + 'static) -> World {
         World { clock: Box::new(clock.clone()), processor: Box::new(clock), ..self }
     }
 

@@ -1,7 +1,10 @@
 //! Files, clock, environment, messages: what an expression may do outside the model, and when.
 
 mod common;
-use std::{cell::Cell, rc::Rc, time::Duration};
+use std::{
+    sync::{Arc, Mutex},
+    time::Duration,
+};
 
 use common::*;
 use flexure_expressions::{Bound, Scope, World, bind};
@@ -102,15 +105,15 @@ fn without_permission_nothing_outside_changes() {
 /// Truth: the help pages' examples; dates by GNU `date -u -d @883967428`.
 #[test]
 fn clock_and_timers_come_from_the_session() {
-    let time = Rc::new(Cell::new(Duration::from_secs(883_967_428)));
+    let time = Arc::new(Mutex::new(Duration::from_secs(883_967_428)));
     let clock = time.clone();
-    let (db, world) = (fixture().db, World::new(false).with_clock(move || clock.get()));
+    let (db, world) = (fixture().db, World::new(false).with_clock(move || *clock.lock().unwrap()));
     assert_eq!(words(&db, &world, "STR_TIMESTAMP()"), "1998/01/05,02:30:28");
     assert_eq!(words(&db, &world, "STR_DATE(\"%Y %m %d, %H:%M:%S\")"), "1998 01 05, 02:30:28");
     assert_eq!(words(&db, &world, "STR_DATE(\"%Q\")"), "%Q"); // an unknown directive: the text itself
     for timer in ["TIMER_ELAPSED", "TIMER_CPU"] {
         run(&db, &world, &format!("{timer}(0)")).unwrap();
-        time.set(time.get() + Duration::from_millis(2500));
+        *time.lock().unwrap() += Duration::from_millis(2500);
         assert_eq!(run(&db, &world, &format!("{timer}(1)")).unwrap(), Value::Number(2.5), "{timer}");
     }
 }

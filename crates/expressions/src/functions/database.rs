@@ -2,7 +2,7 @@
 
 use model::{Database, ObjectId, Value, quoted};
 
-use super::{Arguments, Function, function, momentary, strings::matches};
+use super::{Arguments, Function, function, momentary, searching, strings::matches};
 use crate::{
     arithmetic::flag,
     attributes::{attribute, type_word},
@@ -11,7 +11,7 @@ use crate::{
 };
 
 pub const TABLE: &[Function] = &[
-    function("DB_ANCESTOR", "object, type", "nearest object of a type above an object", |a| {
+    searching("DB_ANCESTOR", "object, type", "nearest object of a type above an object", |a| {
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         let mut next = a.database().object(object).parent;
         while let Some(parent) = next {
@@ -25,7 +25,7 @@ pub const TABLE: &[Function] = &[
     momentary("DB_CHANGED", "", "1 if the model has been changed in this session", |a| {
         Ok(flag(a.database().revision() > 0))
     }),
-    function("DB_CHILDREN", "object, type", "all objects of a type below an object", |a| below(a, usize::MAX)),
+    searching("DB_CHILDREN", "object, type", "all objects of a type below an object", |a| below(a, usize::MAX)),
     function("DB_COUNT", "object, field", "number of values in a field", |a| {
         let (object, name) = (a.object(0)?, a.text(1)?);
         let value = a.evaluator.attribute(object, &name)?;
@@ -46,11 +46,11 @@ pub const TABLE: &[Function] = &[
         let found = current(a.database(), &wanted);
         Ok(Value::Text(found.map_or_else(String::new, |o| a.database().full_name(o))))
     }),
-    function("DB_DEFAULT_NAME_FOR_TYPE", "object, type", "shortest name that means an object", |a| {
+    searching("DB_DEFAULT_NAME_FOR_TYPE", "object, type", "shortest name that means an object", |a| {
         a.text(1)?;
         Ok(Value::Text(short_name(a.database(), a.object(0)?)))
     }),
-    function(
+    searching(
         "DB_DESCENDANTS",
         "object, type, activity, levels",
         "objects below an object, chosen by type, activity and depth",
@@ -74,13 +74,13 @@ pub const TABLE: &[Function] = &[
             Ok(Value::Objects(found))
         },
     ),
-    function("DB_EXISTS", "name", "1 if an object or field has this name", |a| {
+    searching("DB_EXISTS", "name", "1 if an object or field has this name", |a| {
         Ok(flag(match &a.values[0] {
             Value::Text(name) => names_something(a.database(), name),
             other => other.as_object().is_some_and(|o| a.database().get(o).is_some()),
         }))
     }),
-    function("DB_FILTER_NAME", "objects, pattern", "objects whose names fit a pattern", |a| {
+    searching("DB_FILTER_NAME", "objects, pattern", "objects whose names fit a pattern", |a| {
         let (mut objects, pattern) = (a.objects(0)?, a.text(1)?);
         objects.retain(|o| a.database().get(*o).is_some_and(|o| matches(&pattern, &o.name)));
         Ok(Value::Objects(objects))
@@ -90,27 +90,27 @@ pub const TABLE: &[Function] = &[
         objects.retain(|o| is_type(a.database(), *o, &wanted));
         Ok(Value::Objects(objects))
     }),
-    function("DB_FULL_NAME_FROM_SHORT", "name", "full name of the object that a short name means", |a| {
+    searching("DB_FULL_NAME_FROM_SHORT", "name", "full name of the object that a short name means", |a| {
         let name = a.text(0)?;
         Ok(Value::Text(find_object(a.database(), &name).map_or_else(String::new, |o| a.database().full_name(o))))
     }),
-    function("DB_IMMEDIATE_CHILDREN", "object, type", "objects of a type directly below an object", |a| below(a, 1)),
+    searching("DB_IMMEDIATE_CHILDREN", "object, type", "objects of a type directly below an object", |a| below(a, 1)),
     function("DB_OBJECT_COUNT", "objects", "number of objects", |a| Ok(count(a.objects(0)?.len()))),
-    function("DB_OBJ_EXISTS", "parent, name", "1 if an object has a child of this name", |a| {
+    searching("DB_OBJ_EXISTS", "parent, name", "1 if an object has a child of this name", |a| {
         let (parent, name) = (a.object(0)?, a.text(1)?);
         Ok(flag(!a.database().children_named(Some(parent), &name).is_empty()))
     }),
-    function("DB_OBJ_EXISTS_EXHAUSTIVE", "parent, name", "1 if anything below an object has this name", |a| {
+    searching("DB_OBJ_EXISTS_EXHAUSTIVE", "parent, name", "1 if anything below an object has this name", |a| {
         let (parent, name) = (a.object(0)?, a.text(1)?);
         Ok(flag(named_below(a.database(), parent, &name).next().is_some()))
     }),
-    function("DB_OBJ_FROM_NAME_TYPE", "parent, name, type", "object of a name and type below another", |a| {
+    searching("DB_OBJ_FROM_NAME_TYPE", "parent, name, type", "object of a name and type below another", |a| {
         let (parent, name, wanted) = (a.object(0)?, a.text(1)?, a.text(2)?);
         let database = a.database();
         let found = named_below(database, parent, &name).find(|o| is_type(database, *o, &wanted));
         Ok(found.map_or(Value::Nothing, Value::Object))
     }),
-    function("DB_OLDEST_ANCESTOR", "object, type", "highest object of a type above an object", |a| {
+    searching("DB_OLDEST_ANCESTOR", "object, type", "highest object of a type above an object", |a| {
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         let database = a.database();
         let above = std::iter::successors(database.object(object).parent, |o| database.object(*o).parent);
@@ -120,11 +120,11 @@ pub const TABLE: &[Function] = &[
         let (object, wanted) = (a.object(0)?, a.text(1)?);
         Ok(flag(is_type(a.database(), object, &wanted)))
     }),
-    function("DB_OF_TYPE_EXISTS", "name, type", "1 if an object of this name and type exists", |a| {
+    searching("DB_OF_TYPE_EXISTS", "name, type", "1 if an object of this name and type exists", |a| {
         let (name, wanted) = (a.text(0)?, a.text(1)?);
         Ok(flag(of_type_exists(a.database(), &name, &wanted)))
     }),
-    function("DB_SHORT_NAME", "object", "shortest name that means this object alone", |a| {
+    searching("DB_SHORT_NAME", "object", "shortest name that means this object alone", |a| {
         Ok(Value::Text(short_name(a.database(), a.object(0)?)))
     }),
     function("DB_TYPE", "object", "type of an object", |a| Ok(Value::Text(type_word(a.database(), a.object(0)?)))),

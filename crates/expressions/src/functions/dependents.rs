@@ -2,11 +2,11 @@
 
 use model::{Database, Node, ObjectId, Source, Value};
 
-use super::{Arguments, Function, database::is_type, function};
+use super::{Arguments, Function, database::is_type, function, searching};
 use crate::{arithmetic::flag, scope::Outcome};
 
 pub const TABLE: &[Function] = &[
-    function("DB_ACTIVE", "object", "1 if an object and all above it are active", |a| {
+    searching("DB_ACTIVE", "object", "1 if an object and all above it are active", |a| {
         let mut next = Some(a.object(0)?);
         while let Some(object) = next {
             if a.database().flag(object, "active") == Some(false) {
@@ -16,7 +16,7 @@ pub const TABLE: &[Function] = &[
         }
         Ok(flag(true))
     }),
-    function(
+    searching(
         "DB_DELETE_DEPENDENTS",
         "object",
         "objects that an object's deletion would leave without what they need",
@@ -27,18 +27,18 @@ pub const TABLE: &[Function] = &[
             Ok(Value::Objects(found))
         },
     ),
-    function("DB_DEL_PARAM_DEPENDENTS", "object", "objects whose expressions use an object", |a| {
+    searching("DB_DEL_PARAM_DEPENDENTS", "object", "objects whose expressions use an object", |a| {
         let object = a.object(0)?;
         let database = a.database();
         Ok(Value::Objects(
             database.ids().filter(|o| *o != object && in_expressions(database, *o).contains(&object)).collect(),
         ))
     }),
-    function("DB_DEPENDENTS", "object, type", "objects of a type that refer to an object", |a| {
+    searching("DB_DEPENDENTS", "object, type", "objects of a type that refer to an object", |a| {
         let found = dependents(a.database(), &[a.object(0)?], false);
         of_type(a, found)
     }),
-    function(
+    searching(
         "DB_DEPENDENTS_EXHAUSTIVE",
         "object, type",
         "objects of a type that refer to an object, directly or not",
@@ -50,11 +50,11 @@ pub const TABLE: &[Function] = &[
             of_type(a, found)
         },
     ),
-    function("DB_REFERENTS", "object, type", "objects of a type that an object refers to", |a| {
+    searching("DB_REFERENTS", "object, type", "objects of a type that an object refers to", |a| {
         let found = referents(a.database(), a.object(0)?);
         of_type(a, found)
     }),
-    function(
+    searching(
         "DB_REFERENTS_EXHAUSTIVE",
         "object, type",
         "objects of a type that an object refers to, directly or not",

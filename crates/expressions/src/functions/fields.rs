@@ -3,7 +3,7 @@
 use model::{Cell, Expression, Node, ObjectId, Source, Value};
 use schema::{Class, Dimension, Field, Kind};
 
-use super::{Arguments, Function, dependents::references, function};
+use super::{Arguments, Function, dependents::references, function, searching};
 use crate::{
     arithmetic::flag,
     attributes::{ALIASES, Attribute, attribute},
@@ -35,22 +35,24 @@ pub const TABLE: &[Function] = &[
     function("DB_TYPE_FIELDS", "type", "names of the fields of a type", |a| {
         Ok(Value::Texts(field_names(class(a, 0)?)))
     }),
-    function("EXPR_EXISTS", "field", "1 if a field holds an expression", |a| Ok(flag(!expression_text(a)?.is_empty()))),
-    function("EXPR_REFERENCE", "field, n", "the n-th object or field that the expression of a field uses", |a| {
+    searching("EXPR_EXISTS", "field", "1 if a field holds an expression", |a| {
+        Ok(flag(!expression_text(a)?.is_empty()))
+    }),
+    searching("EXPR_REFERENCE", "field, n", "the n-th object or field that the expression of a field uses", |a| {
         let n = a.integer(1)?;
         let all = all_references(a)?;
         let found = usize::try_from(n).ok().and_then(|n| n.checked_sub(1)).and_then(|n| all.into_iter().nth(n));
         Ok(Value::Text(found.map_or_else(String::new, |root| print(&Expression { root }, a.database()))))
     }),
-    function("EXPR_REFERENCES", "field", "how many objects and fields the expression of a field uses", |a| {
+    searching("EXPR_REFERENCES", "field", "how many objects and fields the expression of a field uses", |a| {
         Ok(Value::Integer(all_references(a)?.len() as i64))
     }),
-    function("EXPR_STRING", "field", "text of the expression in a field", |a| Ok(Value::Text(expression_text(a)?))),
-    function("PARAM_STRING", "field", "value of a field as a command file writes it", |a| {
+    searching("EXPR_STRING", "field", "text of the expression in a field", |a| Ok(Value::Text(expression_text(a)?))),
+    searching("PARAM_STRING", "field", "value of a field as a command file writes it", |a| {
         let text = parameter_text(a, true)?;
         Ok(Value::Text(text))
     }),
-    function("USER_STRING", "field", "value of a field as a plain text", |a| {
+    searching("USER_STRING", "field", "value of a field as a plain text", |a| {
         let text = parameter_text(a, false)?;
         Ok(Value::Text(text))
     }),

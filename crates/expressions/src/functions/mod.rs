@@ -50,6 +50,8 @@ pub(crate) struct Function {
     /// The value belongs to the moment (a file, the clock, a free name): it is never kept as an
     /// expression.
     pub momentary: bool,
+    /// The value follows from which objects there are, not only from the cells read.
+    pub searches: bool,
     pub run: Run,
 }
 
@@ -57,11 +59,15 @@ type Run = fn(&mut Arguments) -> Outcome<Value>;
 
 const fn function(name: &'static str, arguments: &'static str, doc: &'static str, run: Run) -> Function {
     let (least, most) = counts(arguments);
-    Function { name, arguments, doc, least, most, momentary: false, run }
+    Function { name, arguments, doc, least, most, momentary: false, searches: false, run }
 }
 
 const fn momentary(name: &'static str, arguments: &'static str, doc: &'static str, run: Run) -> Function {
     Function { momentary: true, ..function(name, arguments, doc, run) }
+}
+
+const fn searching(name: &'static str, arguments: &'static str, doc: &'static str, run: Run) -> Function {
+    Function { searches: true, ..function(name, arguments, doc, run) }
 }
 
 /// Least and largest number of arguments of a list such as `x, y, [method]`.
