@@ -19,11 +19,14 @@ pub fn write_model(database: &Database, model: ObjectId) -> String {
 
 /// The commands that build a model, with skipped ones as they were typed.
 pub(crate) fn write(database: &Database, model: ObjectId, kept: &[&Kept]) -> String {
-    let mut writer = Writer { database, out: String::new(), frame: None, order: indexmap::IndexSet::new() };
+    let mut writer =
+        Writer { database, out: String::new(), frame: None, order: indexmap::IndexSet::new(), later: Vec::new() };
     writer.header(model);
+    writer.data(model);
     writer.materials(model);
     writer.bodies(model);
     writer.elements(model);
+    writer.dynamic_graphics();
     writer.kept(model, kept);
     writer.late(model);
     writer.footer(model);
@@ -37,6 +40,8 @@ struct Writer<'a> {
     frame: Option<ObjectId>,
     /// Objects in the order of their commands, which is the order in which they are made again.
     order: indexmap::IndexSet<ObjectId>,
+    /// Shapes whose commands must wait until what they name is made.
+    later: Vec<ObjectId>,
 }
 
 /// Which cells of an object a command shows.
@@ -133,6 +138,29 @@ impl Writer<'_> {
         self.command("defaults units", &arguments);
     }
 
+    /// Splines, arrays, matrices and the like, which what comes later refers to; but for those that
+    /// refer to something later themselves.
+    fn data(&mut self, model: ObjectId) {
+        let found = self.children(model, |c| c.is("data_element") && !c.is("measure"));
+        let mut begun = false;
+        for id in self.in_order(found) {
+            if self.named_by(id).any(|o| !self.order.contains(&o)) {
+                continue;
+            }
+            if !begun {
+                begun = true;
+                self.banner("Data storage");
+            }
+            self.object(id);
+        }
+    }
+
+    /// The objects that the command of an object names.
+    fn named_by(&self, id: ObjectId) -> impl Iterator<Item = ObjectId> {
+        let cells = self.database.object(id).cells.iter().flatten();
+        cells.filter(|c| !matches!(c.value, Value::Function(_))).flat_map(|c| c.value.objects())
+    }
+
     fn materials(&mut self, model: ObjectId) {
         let found = self.children(model, |c| c.id == "material");
         if !found.is_empty() {
@@ -192,9 +220,15 @@ impl Writer<'_> {
             }
             self.line("! ****** Graphics for current part ******");
             self.line("!");
-            for &child in &children {
-                let class = self.database.object(child).class;
-                if !class.is("frame") && !floating(class) {
+            let shapes = children.into_iter().filter(|c| {
+                let class = self.database.object(*c).class;
+                !class.is("frame") && !floating(class)
+            });
+            for child in self.in_order(shapes.collect()) {
+                // Arrows of forces and what hangs between parts may name what comes later.
+                if self.named_by(child).any(|o| !self.order.contains(&o)) {
+                    self.later.push(child);
+                } else {
                     self.object(child);
                 }
             }
@@ -224,6 +258,7 @@ impl Writer<'_> {
             ("Other objects", |_| true),
         ];
         let mut rest = self.children(model, |c| !done(c));
+        rest.retain(|id| !self.order.contains(id));
         for &(title, belongs) in sections {
             let (now, later): (Vec<_>, Vec<_>) =
                 rest.into_iter().partition(|id| belongs(self.database.object(*id).class));
@@ -235,12 +270,27 @@ impl Writer<'_> {
             // Groups name what may come after them.
             let (groups, others): (Vec<_>, Vec<_>) =
                 now.into_iter().partition(|id| self.database.object(*id).class.id == "group");
-            for id in others.into_iter().chain(groups) {
+            for id in self.in_order(others).into_iter().chain(groups) {
                 self.object(id);
                 for child in self.database.object(id).children.clone() {
                     self.object(child);
                 }
             }
+        }
+    }
+
+    /// Shapes that name what is written behind the parts.
+    fn dynamic_graphics(&mut self) {
+        let shapes = std::mem::take(&mut self.later);
+        if shapes.is_empty() {
+            return;
+        }
+        self.banner("Dynamic Graphics");
+        for id in self.in_order(shapes) {
+            if let Some(parent) = self.database.object(id).parent {
+                self.default_frame(parent);
+            }
+            self.object(id);
         }
     }
 
@@ -321,6 +371,28 @@ impl Writer<'_> {
         children.iter().copied().filter(|id| wanted(self.database.object(*id).class)).collect()
     }
 
+    /// Objects in their own order, but each behind those of them that its command names.
+    fn in_order(&self, ids: Vec<ObjectId>) -> Vec<ObjectId> {
+        let all: std::collections::HashSet<ObjectId> = ids.iter().copied().collect();
+        let mut ordered = indexmap::IndexSet::with_capacity(ids.len());
+        let mut begun = std::collections::HashSet::with_capacity(ids.len());
+        // Each object on the stack twice: first for what it names, then for itself.
+        let mut stack: Vec<(ObjectId, bool)> = Vec::new();
+        for id in ids {
+            stack.push((id, false));
+            while let Some((id, named)) = stack.pop() {
+                if named {
+                    ordered.insert(id);
+                } else if begun.insert(id) {
+                    stack.push((id, true));
+                    let wanted: Vec<_> = self.named_by(id).filter(|o| all.contains(o) && !begun.contains(o)).collect();
+                    stack.extend(wanted.into_iter().rev().map(|o| (o, false)));
+                }
+            }
+        }
+        ordered.into_iter().collect()
+    }
+
     fn default_frame(&mut self, id: ObjectId) {
         if self.frame != Some(id) {
             self.frame = Some(id);
@@ -342,12 +414,27 @@ impl Writer<'_> {
     }
 
     fn create(&mut self, id: ObjectId, group: &Group) {
+        // Points are written in the frame they are stored in.
+        let own = self.frame;
+        if let Some(frame) = self.points_frame(id) {
+            self.default_frame(frame);
+        }
         let mut arguments = Vec::new();
         if !group.object.is_empty() {
             arguments.push((group.object.to_string(), self.name(id)));
         }
         arguments.extend(self.arguments(id, group, Phase::Create));
         self.command(group.command, &arguments);
+        if let Some(own) = own {
+            self.default_frame(own);
+        }
+    }
+
+    /// The frame of the points of a shape that has any.
+    fn points_frame(&self, id: ObjectId) -> Option<ObjectId> {
+        let class = self.database.object(id).class;
+        let given = |f: &Field| place::holds_points(f) && self.database.value(id, f.name).is_some();
+        class.fields().any(given).then(|| place::frame_of_points(self.database, id)).flatten()
     }
 
     fn set(&mut self, id: ObjectId, group: &Group) {
@@ -390,9 +477,14 @@ impl Writer<'_> {
                 _ => continue,
             };
             found.push((field.name.to_string(), value));
-            let placed = place::PLACING.contains(&field.name);
+            let points = place::holds_points(field);
+            let placed = points || place::PLACING.contains(&field.name);
             if phase == Phase::Expressions && placed && !found.iter().any(|(n, _)| n == "relative_to") {
-                let frame = self.database.reference(id, "relative_to").or(object.parent);
+                let frame = if points {
+                    place::frame_of_points(self.database, id)
+                } else {
+                    self.database.reference(id, "relative_to").or(object.parent)
+                };
                 if let Some(frame) = frame.filter(|_| class.cell_index("relative_to").is_some()) {
                     found.push(("relative_to".into(), self.name(frame)));
                 }

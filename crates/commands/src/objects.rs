@@ -231,8 +231,13 @@ impl Interpreter {
         let class = self.database.object(id).class;
         let mut changed = Vec::new();
         self.place(id, call, &mut changed)?;
+        let has_points = class.fields().any(place::holds_points);
         for (parameter, argument) in call.all() {
             if parameter.role != Role::Field || place::PLACING.contains(&parameter.field.name) && is_placed(class) {
+                continue;
+            }
+            // Points come last: their frame may be among the other arguments.
+            if place::holds_points(&parameter.field) || has_points && parameter.field.name == "relative_to" {
                 continue;
             }
             let Some(cell) = class.cell_index(parameter.field.name) else { continue };
@@ -255,7 +260,34 @@ impl Interpreter {
             self.store(key, draft);
             changed.push(key);
         }
+        if has_points {
+            self.set_points(id, call, &mut changed)?;
+        }
         self.recompute(&changed, call.span)
+    }
+
+    /// Stores the points of a shape in the frame they belong to.
+    fn set_points(&mut self, id: ObjectId, call: &Call, changed: &mut Vec<CellKey>) -> Outcome<()> {
+        let class = self.database.object(id).class;
+        for (parameter, argument) in call.all().filter(|(p, _)| place::holds_points(&p.field)) {
+            let Some(cell) = class.cell_index(parameter.field.name) else { continue };
+            let field = *class.field(cell);
+            let mut reader = Reader {
+                database: &self.database,
+                registry: &self.registry,
+                sources: &self.sources,
+                program: call.program,
+                owner: Some(id),
+                warnings: Vec::new(),
+            };
+            let draft = place::read_points(&mut reader, call, &field, argument, id)?;
+            let warnings = std::mem::take(&mut reader.warnings);
+            self.report.diagnostics.extend(warnings);
+            let key = CellKey::new(id, cell);
+            self.store(key, draft);
+            changed.push(key);
+        }
+        Ok(())
     }
 
     /// Stores location and orientation in the frame of the parent.
@@ -473,5 +505,6 @@ impl Interpreter {
 
 /// Whether objects of a class have a place of their own (and are not merely created at one).
 fn is_placed(class: &Class) -> bool {
-    class.fields().any(|f| f.name == "location" && f.usage != Use::Create && f.kind == Kind::Location)
+    let place = |f: &Field| f.name == "location" && f.usage != Use::Create && f.kind == Kind::Location;
+    class.fields().any(|f| place(f) && !place::holds_points(f))
 }

@@ -8,6 +8,7 @@ use glam::{DMat3, DVec3};
 use model::{
     Array, CellKey, CoordinateSystem, Database, ObjectId, Pose, Sequence, Source, Value, angles_of, rotation_of,
 };
+use schema::{Field, Kind};
 use syntax::command::{Argument, ItemKind};
 use text::Diagnostic;
 
@@ -92,6 +93,68 @@ pub fn read(
             aimed(reader, call, &convert, origin)?
         };
     Ok(placement)
+}
+
+/// Whether a field holds points of a shape, any number of them, and not the place of an object.
+pub fn holds_points(field: &Field) -> bool {
+    field.kind == Kind::Location && field.count.most == usize::MAX
+}
+
+/// The frame in which the points of an object are stored: its reference marker, else its parent.
+pub fn frame_of_points(database: &Database, id: ObjectId) -> Option<ObjectId> {
+    database.reference(id, "reference_marker").or(database.object(id).parent)
+}
+
+/// Reads the points of an object into the frame they are stored in. Expressions are kept where they
+/// are in that frame already.
+pub fn read_points(
+    reader: &mut Reader,
+    call: &Call,
+    field: &Field,
+    argument: &Argument,
+    id: ObjectId,
+) -> Result<Draft, Vec<Diagnostic>> {
+    let database = reader.database;
+    let frame = match (call.argument("relative_to"), call.field("relative_to").copied()) {
+        (Some(argument), Some(field)) => reader.read(&field, argument)?.value.as_object(),
+        _ => database.settings().default_frame.filter(|f| database.get(*f).is_some()),
+    };
+    let own = frame_of_points(database, id);
+    let mut draft = reader.read(field, argument)?;
+    let numbers = draft.value.as_numbers().unwrap_or_default();
+    if !numbers.len().is_multiple_of(3) {
+        return Err(vec![
+            Diagnostic::error("command/wrong-count", format!("`{}` wants points of three numbers each", field.name))
+                .at(argument.value_span, format!("{} numbers", numbers.len()))
+                .adams("Invalid input. Enter a location."),
+        ]);
+    }
+    let typed = |c: &[f64]| match draft.source {
+        // What an expression yields is in x, y and z.
+        Source::Expression(_) => vector(c),
+        _ => cartesian(database, c),
+    };
+    let mut points: Vec<DVec3> = numbers.chunks_exact(3).map(typed).collect();
+    if frame != own {
+        let pose = |f: Option<ObjectId>| f.map_or(Pose::GLOBAL, |f| database.global_pose(f));
+        let convert = pose(own).inverse().then(&pose(frame));
+        points = points.iter().map(|p| convert.origin + convert.rotation * *p).collect();
+        if draft.source != Source::Literal {
+            let name = |f: Option<ObjectId>| f.map_or_else(|| "the global frame".into(), |f| database.full_name(f));
+            reader.warnings.push(
+                Diagnostic::warning(
+                    "place/expression-not-kept",
+                    format!("`{}` keeps the present values of its expressions alone", field.name),
+                )
+                .at(argument.value_span, format!("in the axes of {}", name(frame)))
+                .note(format!("its points are stored in the axes of {}", name(own)))
+                .help(format!("give the points with `relative_to = {}` to have them follow", name(own))),
+            );
+            draft = Draft::literal(draft.value);
+        }
+    }
+    draft.value = Value::Array(Array::column(points.iter().flat_map(DVec3::to_array).collect()));
+    Ok(draft)
 }
 
 fn finish<I: Iterator<Item = CellKey>>(draft: &mut Draft, frame_reads: impl Fn() -> I) {

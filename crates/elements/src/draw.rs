@@ -93,7 +93,10 @@ impl Scene {
                 diameter: cells.above_zero("diameter_of_spring")?,
             },
             _ => {
-                let of = ["force_element_name", "joint_name", "jprim_name"];
+                if let Some(trouble) = geometry::not_drawn(database, id) {
+                    return Err(trouble);
+                }
+                let of = ["force_element_name", "joint_name", "jprim_name", "curve_curve_name", "point_curve_name"];
                 if let Some(of) = of.iter().find_map(|name| database.reference(id, name)) {
                     self.arrows.push(Arrow { id, of, at: cells.frame("applied_at_marker_name")? });
                 }

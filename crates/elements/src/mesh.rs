@@ -55,6 +55,45 @@ impl Mesh {
         mesh
     }
 
+    /// A flat polygon pushed along a vector that is not in its plane.
+    pub fn pushed(corners: &[DVec3], along: DVec3) -> Mesh {
+        let n = corners.len();
+        let mut mesh = Mesh { points: corners.to_vec(), triangles: Vec::new() };
+        mesh.points.extend(corners.iter().map(|p| *p + along));
+        for k in 1..n.saturating_sub(1) {
+            mesh.triangle(0, k + 1, k);
+            mesh.triangle(n, n + k, n + k + 1);
+        }
+        for k in 0..n {
+            mesh.quad(k, (k + 1) % n, n + (k + 1) % n, n + k);
+        }
+        mesh
+    }
+
+    /// A polygon of distances and heights turned around z in `sides` steps.
+    pub fn turned(corners: &[DVec2], angle: f64, sides: usize) -> Mesh {
+        let n = corners.len();
+        let mut mesh = Mesh::default();
+        for side in 0..=sides {
+            let (sine, cosine) = (angle * side as f64 / sides as f64).sin_cos();
+            mesh.points.extend(corners.iter().map(|p| DVec3::new(p.x * cosine, p.x * sine, p.y)));
+        }
+        for row in 0..sides {
+            for k in 0..n {
+                let (here, next) = (row * n + k, row * n + (k + 1) % n);
+                mesh.quad(here, here + n, next + n, next);
+            }
+        }
+        if angle.abs() < TAU * (1.0 - 1e-9) {
+            let last = sides * n;
+            for k in 1..n.saturating_sub(1) {
+                mesh.triangle(0, k, k + 1);
+                mesh.triangle(last, last + k + 1, last + k);
+            }
+        }
+        mesh
+    }
+
     /// A surface over a grid of `nu` x `nv` cells with parameters from 0 to 1.
     pub fn grid(nu: usize, nv: usize, at: impl Fn(f64, f64) -> DVec3) -> Mesh {
         let mut mesh = Mesh::default();

@@ -23,6 +23,8 @@ pub enum Shape {
     Torus { major: f64, minor: f64, angle: f64 },
     /// A closed outline in the xy plane, thickness along z to both sides.
     Plate { outline: Vec<DVec2>, thickness: f64 },
+    /// A closed surface with the lines it is drawn with and what it weighs.
+    Solid { mesh: Mesh, lines: Vec<Vec<DVec3>>, volume: Volume },
 }
 
 /// What a shape of density one weighs: metre to the third and fifth power.
@@ -47,6 +49,7 @@ impl Shape {
                 Some(Volume { volume, centre: DVec3::ZERO, inertia: inertia_of(half * half * (volume / 5.0)) })
             }
             Shape::Torus { major, minor, angle } => Some(torus(major, minor, angle)),
+            Shape::Solid { volume, .. } => Some(volume),
             _ => self.mesh().map(|m| m.volume()),
         }
     }
@@ -55,6 +58,7 @@ impl Shape {
     pub fn mesh(&self) -> Option<Mesh> {
         match *self {
             Shape::Lines(_) => None,
+            Shape::Solid { ref mesh, .. } => Some(mesh.clone()),
             Shape::Frustum { bottom, top, length, angle, sides } => {
                 Some(Mesh::frustum(bottom, top, length, angle, sides))
             }
@@ -76,7 +80,7 @@ impl Shape {
     /// The lines of a wire picture.
     pub fn lines(&self) -> Vec<Vec<DVec3>> {
         match *self {
-            Shape::Lines(ref lines) => lines.clone(),
+            Shape::Lines(ref lines) | Shape::Solid { ref lines, .. } => lines.clone(),
             Shape::Frustum { bottom, top, length, angle, sides } => frustum_lines(bottom, top, length, angle, sides),
             Shape::Block { corner } => {
                 let outline = [DVec2::ZERO, DVec2::new(corner.x, 0.0), corner.truncate(), DVec2::new(0.0, corner.y)];
@@ -117,25 +121,81 @@ fn on_torus(major: f64, minor: f64, u: f64, v: f64) -> DVec3 {
     DVec3::new(radius * u.cos(), radius * u.sin(), minor * v.sin())
 }
 
-/// A part of a torus, swept from x towards y: Pappus' rule, and the same integrals over the disc for
-/// the second moments.
+/// Integrals over a plane section: of r dA, r^2 dA, r^3 dA, r z dA, r z^2 dA and r^2 z dA, where r is
+/// the distance from the axis and z the height.
+struct Section {
+    r: f64,
+    r2: f64,
+    r3: f64,
+    rz: f64,
+    rz2: f64,
+    r2z: f64,
+}
+
+impl Section {
+    /// What the section sweeps over when it turns about z, from x towards y: Pappus' rule, and the
+    /// same integrals for the second moments.
+    fn turned(&self, angle: f64) -> Volume {
+        let (angle, sign) = (angle.abs(), angle.signum());
+        let volume = angle * self.r;
+        let (sine, cosine) = angle.sin_cos();
+        let centre = DVec3::new(self.r2 * sine, sign * self.r2 * (1.0 - cosine), angle * self.rz) / volume;
+        let xx = self.r3 * (angle / 2.0 + sine * cosine / 2.0);
+        let yy = self.r3 * (angle / 2.0 - sine * cosine / 2.0);
+        let zz = angle * self.rz2;
+        let (xy, xz) = (sign * self.r3 * sine * sine / 2.0, self.r2z * sine);
+        let yz = sign * self.r2z * (1.0 - cosine);
+        let moments = DMat3::from_cols(DVec3::new(xx, xy, xz), DVec3::new(xy, yy, yz), DVec3::new(xz, yz, zz));
+        let own = DMat3::from_cols(centre * centre.x, centre * centre.y, centre * centre.z) * volume;
+        let about = moments - own;
+        let trace = about.x_axis.x + about.y_axis.y + about.z_axis.z;
+        Volume { volume, centre, inertia: DMat3::from_diagonal(DVec3::splat(trace)) - about }
+    }
+}
+
+/// A part of a torus, swept from x towards y.
 fn torus(major: f64, minor: f64, angle: f64) -> Volume {
-    let (angle, sign) = (angle.abs(), angle.signum());
     let disc = TAU / 2.0 * minor * minor;
-    let volume = disc * angle * major;
     // Over the disc: r -> R, r^2 -> R^2 + a^2/4, r^3 -> R^3 + 3/4 R a^2, and r z^2 -> R a^2/4.
-    let r2 = disc * (major * major + minor * minor / 4.0);
-    let r3 = disc * major * (major * major + 0.75 * minor * minor);
-    let z2 = disc * angle * major * minor * minor / 4.0;
-    let (sine, cosine) = angle.sin_cos();
-    let centre = DVec3::new(r2 * sine, sign * r2 * (1.0 - cosine), 0.0) / volume;
-    let xx = r3 * (angle / 2.0 + sine * cosine / 2.0) - volume * centre.x * centre.x;
-    let yy = r3 * (angle / 2.0 - sine * cosine / 2.0) - volume * centre.y * centre.y;
-    let xy = sign * r3 * sine * sine / 2.0 - volume * centre.x * centre.y;
-    let mut inertia = inertia_of(DVec3::new(xx, yy, z2));
-    inertia.x_axis.y = -xy;
-    inertia.y_axis.x = -xy;
-    Volume { volume, centre, inertia }
+    let section = Section {
+        r: disc * major,
+        r2: disc * (major * major + minor * minor / 4.0),
+        r3: disc * major * (major * major + 0.75 * minor * minor),
+        rz: 0.0,
+        rz2: disc * major * minor * minor / 4.0,
+        r2z: 0.0,
+    };
+    section.turned(angle)
+}
+
+/// What a polygon of distances from z and heights sweeps over when it turns about z.
+pub(crate) fn revolved(corners: &[DVec2], angle: f64) -> Volume {
+    // Four points and their weights integrate polynomials of the third degree over a triangle.
+    const RULE: [([f64; 3], f64); 4] = [
+        ([1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0], -27.0 / 48.0),
+        ([0.6, 0.2, 0.2], 25.0 / 48.0),
+        ([0.2, 0.6, 0.2], 25.0 / 48.0),
+        ([0.2, 0.2, 0.6], 25.0 / 48.0),
+    ];
+    let mut sums = [0.0; 6];
+    for pair in corners.windows(2).skip(1) {
+        let (a, b, c) = (corners[0], pair[0], pair[1]);
+        let area = (b - a).perp_dot(c - a) / 2.0;
+        for (share, weight) in RULE {
+            let p = a * share[0] + b * share[1] + c * share[2];
+            let w = area * weight;
+            let (r, z) = (p.x, p.y);
+            for (sum, value) in sums.iter_mut().zip([r, r * r, r * r * r, r * z, r * z * z, r * r * z]) {
+                *sum += w * value;
+            }
+        }
+    }
+    // The outline may go around either way.
+    let [r, r2, r3, rz, rz2, r2z] = if sums[0] < 0.0 { sums.map(|x| -x) } else { sums };
+    if r == 0.0 {
+        return Volume { volume: 0.0, centre: DVec3::ZERO, inertia: DMat3::ZERO };
+    }
+    Section { r, r2, r3, rz, rz2, r2z }.turned(angle)
 }
 
 fn prism_lines(outline: &[DVec2], low: f64, high: f64, every: usize) -> Vec<Vec<DVec3>> {

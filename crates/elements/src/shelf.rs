@@ -70,6 +70,12 @@ const ELEMENTS: &[Element] = &[
     output(&output::measure_pt2pt::CLASS, output::measure_pt2pt::lower::lower),
     output(&output::measure_object::CLASS, output::measure_object::lower::lower),
     output(&output::measure_function::CLASS, output::measure_function::lower::lower),
+    output(&output::measure_point::CLASS, output::measure_point::lower::lower),
+    output(&output::measure_angle::CLASS, output::not_recorded::lower),
+    output(&output::measure_orient::CLASS, output::not_recorded::lower),
+    output(&output::measure_computed::CLASS, output::not_recorded::lower),
+    output(&output::measure_range::CLASS, output::not_recorded::lower),
+    output(&output::measure_query::CLASS, output::not_recorded::lower),
 ];
 
 /// What a class can do in a simulation.
@@ -79,6 +85,6 @@ pub fn element(class: &Class) -> Option<&'static Element> {
 
 /// Whether objects of a class act on the motion, so that leaving them out changes it.
 pub fn acts(class: &Class) -> bool {
-    const FAMILIES: [&str; 5] = ["force", "constraint", "body", "contact", "equation"];
-    FAMILIES.iter().any(|family| class.families.contains(family))
+    const FAMILIES: [&str; 6] = ["force", "constraint", "body", "contact", "equation", "sensor"];
+    FAMILIES.iter().any(|family| class.is(family))
 }

@@ -30,6 +30,10 @@ pub const CONSTRAINT: VerbEntry =
     verb("constraint copy", &[old("constraint_name", "constraint"), new("new_constraint_name", "constraint")]);
 pub const GEOMETRY: VerbEntry =
     verb("geometry copy", &[old("geometry_name", "geometry"), new("new_geometry_name", "geometry")]);
+pub const DATA_ELEMENT: VerbEntry = verb(
+    "data_element copy",
+    &[old("data_element_name", "data_element"), new("new_data_element_name", "data_element")],
+);
 pub const ENTITY: VerbEntry = verb("entity copy", &[old("entity_name", "any"), new("new_entity_name", "any")]);
 
 fn copy(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {

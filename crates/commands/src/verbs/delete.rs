@@ -29,6 +29,7 @@ pub const VARIABLE: VerbEntry = verb("variable delete", &[of("variable_name", "v
 pub const GROUP: VerbEntry = verb("group delete", &[of("group_name", "group")]);
 pub const MACRO: VerbEntry = verb("macro delete", &[of("macro_name", "macro")]);
 pub const SCRIPT: VerbEntry = verb("simulation script delete", &[of("sim_script_name", "script")]);
+pub const ANALYSIS: VerbEntry = verb("analysis delete", &[of("analysis_name", "analysis")]);
 pub const ENTITY: VerbEntry = verb(
     "entity delete",
     &[of("entity_name", "any"), Field::text("type_filter").doc("take only objects of this type")],

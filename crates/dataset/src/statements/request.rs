@@ -1,6 +1,6 @@
 //! REQUEST: two markers and what is recorded of them, or up to eight functions.
 
-use model::ObjectId;
+use model::{ObjectId, Value};
 
 use super::{function_text, reference, texts, user_function};
 use crate::{layout::Lines, write::Writer};
@@ -44,7 +44,7 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         }
         return;
     }
-    if !texts(w.database, id, "variable_name").is_empty() {
+    if w.database.value(id, "variable_name").is_some_and(|v| *v != Value::Nothing) {
         let name = w.database.full_name(id);
         w.warn("dataset/argument-not-written", format!("`variable_name` of `{name}` is not written yet"));
     }

@@ -5,7 +5,7 @@ use model::{Database, ObjectId};
 use text::Diagnostic;
 
 use crate::{
-    geometry::shape,
+    geometry::{not_drawn, shape},
     place::{Cells, global_pose},
 };
 
@@ -55,7 +55,7 @@ pub fn mass_properties(database: &Database, part: ObjectId) -> Result<Option<Mas
                 }
             }
             Some(Err(trouble)) => troubles.push(trouble),
-            None => {}
+            None => troubles.extend(not_drawn(database, id).filter(|_| database.object(id).class.is("shape"))),
         }
     }
     if !troubles.is_empty() {

@@ -222,6 +222,11 @@ fn kind_fits(base: &str, list: bool, field: &Field) -> bool {
         Kind::Orientation => base == "orientation",
         Kind::Real => dimension(base) == Some(field.dimension),
         Kind::Boolean(yes, no) => !list && (words == [yes, no] || (base == "true" && yes == "true")),
+        // Of a long list the sheet gives the first words and how many there are.
+        Kind::Choice(choices) if base.contains('…') => {
+            let (first, last) = words.split_at(words.len() - 1);
+            last[0] == format!("…({})", choices.len()) && first.iter().zip(choices).all(|(a, b)| a == b)
+        }
         Kind::Choice(choices) => {
             words.len() == choices.len() && words.iter().zip(choices).all(|(a, b)| a.eq_ignore_ascii_case(b))
         }

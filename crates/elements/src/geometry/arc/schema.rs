@@ -7,7 +7,7 @@ use crate::{attributes, common};
 pub const CLASS: Class = Class {
     id: "arc",
     word: "Arc",
-    families: &["geometry", "curve"],
+    families: &["geometry", "curve", "wire"],
     parents: &["part", "ground", "point_mass"],
     prefix: "ARC_",
     statement: Some("GRAPHICS"),

@@ -7,7 +7,7 @@ use crate::{attributes, common};
 pub const CLASS: Class = Class {
     id: "circle",
     word: "Circle",
-    families: &["geometry", "curve"],
+    families: &["geometry", "curve", "wire"],
     parents: &["part", "ground", "point_mass"],
     prefix: "CIRCLE_",
     statement: Some("GRAPHICS"),

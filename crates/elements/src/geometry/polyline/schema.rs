@@ -2,12 +2,12 @@
 
 use schema::{Class, Count, Dimension, Field, Group, Kind};
 
-use crate::{attributes, common};
+use crate::{attributes, common, geometry::fields};
 
 pub const CLASS: Class = Class {
     id: "polyline",
     word: "Polyline",
-    families: &["geometry", "curve"],
+    families: &["geometry", "curve", "wire"],
     parents: &["part", "ground", "point_mass"],
     prefix: "POLYLINE_",
     statement: Some("GRAPHICS"),
@@ -23,10 +23,10 @@ pub const CLASS: Class = Class {
                     .count(Count::between(3, usize::MAX))
                     .doc("points in order, in the frame of the body"),
                 Field::yes_no("close").doc("whether and how the outline is closed"),
-                Field::texts("path_curve").doc("curves the line follows"),
-                Field::text("image_file_name").doc("picture painted on the inside"),
-                Field::choice("horizontal", &["clamp", "repeat"]).doc("how the picture repeats across"),
-                Field::choice("vertical", &["clamp", "repeat"]).doc("how the picture repeats upwards"),
+                Field::objects("path_curve", "wire").doc("curves the line follows"),
+                fields::IMAGE_FILE_NAME,
+                fields::HORIZONTAL,
+                fields::VERTICAL,
                 common::RELATIVE_TO,
             ],
             rules: &[],

@@ -1,8 +1,8 @@
 //! Names, types, units and defaults of a function measure.
 
-use schema::{Class, Field, Group, Kind};
+use schema::{Class, Field, Group};
 
-use crate::{attributes, common};
+use crate::{attributes, common, data::fields, output::measured};
 
 pub const CLASS: Class = Class {
     id: "measure_function",
@@ -20,10 +20,10 @@ pub const CLASS: Class = Class {
                 common::COMMENTS,
                 Field::function("function").doc("function of time and state, evaluated during the run"),
                 Field::text("units").doc("kind of quantity of the value"),
-                Field::text("legend").doc("text of the legend"),
-                Field::yes_no("create_measure_display").default_word("yes").on_create().doc("open a strip chart"),
-                Field::new("user_function", Kind::Real).many().doc("constants handed to a subroutine"),
-                Field::text("routine").doc("library and entry of the subroutine"),
+                measured::LEGEND,
+                measured::DISPLAY,
+                fields::USER_FUNCTION,
+                fields::ROUTINE,
             ],
             rules: &[],
             doc: "value of a function during the run",

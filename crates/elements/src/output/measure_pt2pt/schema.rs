@@ -2,7 +2,7 @@
 
 use schema::{Class, Field, Group};
 
-use crate::{attributes, common};
+use crate::{attributes, common, output::measured};
 
 pub const CLASS: Class = Class {
     id: "measure_pt2pt",
@@ -32,25 +32,11 @@ pub const CLASS: Class = Class {
                 )
                 .required()
                 .doc("quantity recorded"),
-                Field::choice(
-                    "component",
-                    &[
-                        "x_component",
-                        "y_component",
-                        "z_component",
-                        "mag_component",
-                        "r_component",
-                        "rho_component",
-                        "theta_component",
-                        "phi_component",
-                    ],
-                )
-                .required()
-                .doc("component recorded"),
-                Field::object("motion_rframe", "marker").doc("frame in which time derivatives are taken"),
-                Field::object("coordinate_rframe", "marker").doc("marker along whose axes components are given"),
-                Field::yes_no("create_measure_display").default_word("yes").on_create().doc("open a strip chart"),
-                Field::text("legend").doc("text of the legend"),
+                measured::COMPONENT,
+                measured::MOTION_RFRAME,
+                measured::COORDINATE_RFRAME,
+                measured::DISPLAY,
+                measured::LEGEND,
             ],
             rules: &[],
             doc: "motion of one marker as seen from another",

@@ -1,8 +1,8 @@
 //! Names, types, units and defaults of a request.
 
-use schema::{Class, Field, Group, Kind};
+use schema::{Class, Field, Group};
 
-use crate::common;
+use crate::{common, data::fields};
 
 pub const CLASS: Class = Class {
     id: "request",
@@ -26,8 +26,8 @@ pub const CLASS: Class = Class {
             common::I_MARKER,
             common::J_MARKER,
             Field::object("r_marker_name", "marker").keyword("RM").doc("marker along whose axes vectors are given"),
-            Field::new("user_function", Kind::Real).many().doc("constants handed to a subroutine"),
-            Field::text("routine").keyword("ROUTINE").doc("library and entry of the subroutine"),
+            fields::USER_FUNCTION,
+            fields::ROUTINE,
             Field::function("f1").keyword("F1").doc("function of column 1"),
             Field::function("f2").keyword("F2").doc("function of column 2"),
             Field::function("f3").keyword("F3").doc("function of column 3"),
@@ -39,7 +39,7 @@ pub const CLASS: Class = Class {
             Field::texts("component_units").keyword("CUNITS").doc("units of the columns"),
             Field::texts("title").keyword("TITLE").doc("headings of the columns"),
             Field::object("motion_rframe", "marker").doc("frame in which time derivatives are taken"),
-            Field::texts("variable_name").keyword("VARIABLES").doc("solver variables recorded"),
+            Field::objects("variable_name", "solver_variable").keyword("VARIABLES").doc("solver variables recorded"),
         ],
         rules: &[],
         doc: "what is recorded during a run",

@@ -40,7 +40,7 @@ pub const CLASS: Class = Class {
             Field::on_off("trailing_zeros").doc("keep zeros at the end"),
             Field::real("zero_threshold", Dimension::NONE).doc("numbers below are written as zero"),
             Field::integer("shift_width").doc("columns by which text is indented"),
-            Field::text("resset_filter").doc("function that picks the result sets"),
+            Field::object("resset_filter", "function").doc("function that picks the result sets"),
             Field::integer("flush_frequency").doc("outputs between two writes to disk"),
             Field::on_off("contact_incidents").doc("include contact incidents"),
             Field::on_off("node_incidents").doc("include node incidents"),

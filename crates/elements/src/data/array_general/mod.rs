@@ -1,0 +1,4 @@
+//! An array of numbers.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! An array of start values.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! An array of inputs.
+
+pub mod schema;
+pub use schema::CLASS;

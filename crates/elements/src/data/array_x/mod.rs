@@ -1,0 +1,4 @@
+//! An array of states.
+
+pub mod schema;
+pub use schema::CLASS;

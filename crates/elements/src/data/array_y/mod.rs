@@ -1,0 +1,4 @@
+//! An array of outputs.
+
+pub mod schema;
+pub use schema::CLASS;

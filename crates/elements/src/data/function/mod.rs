@@ -1,0 +1,4 @@
+//! A function of the user's own for expressions.
+
+pub mod schema;
+pub use schema::CLASS;

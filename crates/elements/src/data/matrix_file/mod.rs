@@ -1,0 +1,4 @@
+//! A matrix from a file.
+
+pub mod schema;
+pub use schema::CLASS;

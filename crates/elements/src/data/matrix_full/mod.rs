@@ -1,0 +1,4 @@
+//! A matrix with all its values.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A variable of the solver.
+
+pub mod schema;
+pub use schema::CLASS;

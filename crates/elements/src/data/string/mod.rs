@@ -1,0 +1,4 @@
+//! A string that the solver knows.
+
+pub mod schema;
+pub use schema::CLASS;

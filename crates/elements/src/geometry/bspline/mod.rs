@@ -1,0 +1,5 @@
+//! A B-spline curve.
+#![doc = include_str!("docs.md")]
+
+pub mod schema;
+pub use schema::CLASS;

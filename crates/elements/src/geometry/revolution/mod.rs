@@ -1,0 +1,6 @@
+//! A revolution.
+#![doc = include_str!("docs.md")]
+
+pub mod draw;
+pub mod schema;
+pub use schema::CLASS;

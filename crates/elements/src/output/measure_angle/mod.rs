@@ -1,0 +1,4 @@
+//! A measure of an angle.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A measure computed from others.
+
+pub mod schema;
+pub use schema::CLASS;

@@ -1,0 +1,4 @@
+//! A measure of an orientation.
+
+pub mod schema;
+pub use schema::CLASS;

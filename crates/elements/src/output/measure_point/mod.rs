@@ -1,0 +1,5 @@
+//! A measure of a point.
+
+pub mod lower;
+pub mod schema;
+pub use schema::CLASS;
