@@ -135,6 +135,8 @@ impl Database {
         if let Some(order) = roots {
             database.reorder(None, order)?;
         }
+        // Changes from here on are taken back one by one.
+        database.flush_history();
         Ok(database)
     }
 
