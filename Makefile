@@ -53,8 +53,9 @@ tidy:
 snap:
 	INSTA_UPDATE=always $(CARGO) test --workspace --quiet
 
-## Cost over the length of a chain, and peers where they are installed.
+## Cost over the length of a command file and of a chain, and peers where they are installed.
 bench: build wheel
+	$(BIN)/python bench/reading.py
 	$(BIN)/python bench/bench.py
 
 fuzz:
