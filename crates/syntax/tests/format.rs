@@ -241,7 +241,7 @@ fn scattered_text() -> impl Strategy<Value = String> {
                 let list = list.concat();
                 // The last value without what follows it.
                 let list = &list[..list.rfind(values.last().unwrap().0).unwrap() + values.last().unwrap().0.len()];
-                text += &format!("{name}{b}={c}{list}");
+                text.extend([name.as_str(), b, "=", c, list]);
             }
             text
         });

@@ -10,5 +10,5 @@ mod suggest;
 
 pub use diagnostic::{Diagnostic, Fix, Help, Label, Severity};
 pub use render::{Format, one_line, render, use_colours};
-pub use sources::{FileId, LineColumn, Source, Sources, Span};
+pub use sources::{FileId, LineColumn, Source, Sources, Span, to_windows_1252};
 pub use suggest::suggest;

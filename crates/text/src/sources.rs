@@ -119,6 +119,11 @@ impl Sources {
         self.files[file.0 as usize].clone()
     }
 
+    /// The first text that was added under a name.
+    pub fn find(&self, name: &str) -> Option<FileId> {
+        self.files.iter().position(|source| source.name() == name).map(|at| FileId(at as u32))
+    }
+
     pub fn name(&self, file: FileId) -> &str {
         self.files[file.0 as usize].name()
     }
@@ -154,6 +159,11 @@ fn windows_1252(byte: u8) -> char {
     }
 }
 
+/// A text in Windows code page 1252; none if it has a character that is not in it.
+pub fn to_windows_1252(text: &str) -> Option<Vec<u8>> {
+    text.chars().map(|c| (0..=255).find(|byte| windows_1252(*byte) == c)).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -180,5 +190,10 @@ mod tests {
         let mut sources = Sources::default();
         let file = sources.add_bytes("a.cmd", vec![b'!', 0xe4, 0x80]);
         assert_eq!(sources.text(file), "!ä€");
+        assert_eq!(to_windows_1252("!ä€"), Some(vec![b'!', 0xe4, 0x80]));
+        assert_eq!(to_windows_1252("λ"), None);
+        let all: Vec<u8> = (0..=255).collect();
+        let file = sources.add_bytes("b.cmd", all.clone());
+        assert_eq!(to_windows_1252(sources.text(file)), Some(all));
     }
 }

@@ -25,6 +25,8 @@ pub struct Parser<'a> {
     last_end: usize,
     /// One note about a missing `&` is enough for a statement.
     told_about_joining: bool,
+    /// Where the last statement ended, if it was a command that may go on.
+    above: Option<usize>,
 }
 
 /// All statements of a text, and all its troubles.
@@ -48,7 +50,14 @@ pub fn parse_expression(file: FileId, text: &str, offset: usize) -> (Expression,
 
 impl<'a> Parser<'a> {
     pub fn new(file: FileId, text: &'a str) -> Self {
-        Parser { file, cursor: Cursor::new(text), diagnostics: Vec::new(), last_end: 0, told_about_joining: false }
+        Parser {
+            file,
+            cursor: Cursor::new(text),
+            diagnostics: Vec::new(),
+            last_end: 0,
+            told_about_joining: false,
+            above: None,
+        }
     }
 
     /// Byte offset up to which the text has been read.
@@ -67,8 +76,16 @@ impl<'a> Parser<'a> {
         self.told_about_joining = false;
         let kind = self.statement();
         self.cursor.skip_statement();
+        self.above = self.may_go_on(&kind).then_some(self.last_end);
         let statement = Statement { span: self.span(start, self.last_end), kind };
         Some((statement, std::mem::take(&mut self.diagnostics)))
+    }
+
+    /// Whether a forgotten `&` behind a statement is likely: it is a command, and understood so far.
+    fn may_go_on(&self, kind: &StatementKind) -> bool {
+        let StatementKind::Command { keywords, arguments } = kind else { return false };
+        (keywords.len() > 1 || !arguments.is_empty())
+            && self.diagnostics.iter().all(|d| !d.is_error() || d.code == "syntax/missing-keyword")
     }
 
     fn statement(&mut self) -> StatementKind {
@@ -93,7 +110,12 @@ impl<'a> Parser<'a> {
                     self.trailing();
                     return StatementKind::Assignment { target: word, values };
                 }
-                self.diagnostics.push(missing_keyword(word, text));
+                let above = self.above.filter(|end| {
+                    let between = &self.cursor.bytes[*end..start];
+                    between.iter().filter(|b| **b == b'\n').count() == 1 && !between.contains(&b'&')
+                });
+                let above = above.map(|end| self.span(end, end));
+                self.diagnostics.push(missing_keyword(word, text, above));
             }
             let arguments = self.arguments(word);
             return StatementKind::Command { keywords, arguments };

@@ -34,10 +34,19 @@ pub(super) fn unclosed_quote(span: Span, escaped_quote_behind: bool) -> Diagnost
     }
 }
 
-pub(super) fn missing_keyword(word: Span, text: &str) -> Diagnostic {
-    Diagnostic::error("syntax/missing-keyword", format!("`{text}` is given a value, but no command stands before it"))
-        .at(word, "a command begins with its keywords")
-        .help("if this belongs to the command above, end the line before with `&`")
+/// `above`: the end of a command on the line before, which this one may belong to.
+pub(super) fn missing_keyword(word: Span, text: &str, above: Option<Span>) -> Diagnostic {
+    let help = "if this belongs to the command above, end the line before with `&`";
+    let diagnostic = Diagnostic::error(
+        "syntax/missing-keyword",
+        format!("`{text}` is given a value, but no command stands before it"),
+    )
+    .at(word, "a command begins with its keywords");
+    let diagnostic = match above {
+        Some(end) => diagnostic.fix(help, end, "  &"),
+        None => diagnostic.help(help),
+    };
+    diagnostic
         .adams(format!("'{text}' is not a valid keyword. You may have misspelled"))
         .adams("the keyword or you may be missing a continuation character(&)")
         .adams("on the previous line.")
@@ -54,7 +63,7 @@ pub(super) fn stray_text(span: Span, text: &str) -> Diagnostic {
 pub(super) fn joined(equals: Span) -> Diagnostic {
     Diagnostic::new(Severity::Note, "syntax/continued-without-mark", "the value is taken from the next line")
         .at(equals, "the line ends here without `&`")
-        .help("Adams View needs `&` at the end of this line")
+        .fix("Adams View needs `&` at the end of this line", Span { start: equals.end, ..equals }, "  &")
 }
 
 pub(super) fn missing_value(span: Span, name: &str, behind_comma: bool, at_line_end: bool) -> Diagnostic {

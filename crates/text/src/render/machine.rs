@@ -95,15 +95,32 @@ pub(super) fn sarif(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
     codes.sort_unstable();
     codes.dedup();
     let rules: Vec<Value> = codes.iter().map(|code| json!({ "id": code })).collect();
-    let location = |span: Span| {
+    let region = |span: Span| {
         let (start, end) = range(sources, span);
-        json!({ "physicalLocation": {
-            "artifactLocation": { "uri": sources.name(span.file).replace('\\', "/") },
-            "region": {
-                "startLine": start.line, "startColumn": start.column,
-                "endLine": end.line, "endColumn": end.column,
-            },
-        }})
+        json!({
+            "startLine": start.line, "startColumn": start.column,
+            "endLine": end.line, "endColumn": end.column,
+        })
+    };
+    let artifact = |span: Span| json!({ "uri": uri(sources.name(span.file)) });
+    let location =
+        |span: Span| json!({ "physicalLocation": { "artifactLocation": artifact(span), "region": region(span) } });
+    let fixes = |d: &Diagnostic| -> Vec<Value> {
+        let fixes = d.helps.iter().filter_map(|help| Some((help, help.fix.as_ref()?)));
+        fixes
+            .map(|(help, fix)| {
+                json!({
+                    "description": { "text": help.text },
+                    "artifactChanges": [{
+                        "artifactLocation": artifact(fix.span),
+                        "replacements": [{
+                            "deletedRegion": region(fix.span),
+                            "insertedContent": { "text": fix.replacement },
+                        }],
+                    }],
+                })
+            })
+            .collect()
     };
     let results: Vec<Value> = diagnostics
         .iter()
@@ -120,6 +137,7 @@ pub(super) fn sarif(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
                     place["message"] = json!({ "text": label.text });
                     place
                 }).collect::<Vec<_>>(),
+                "fixes": fixes(d),
             })
         })
         .collect();
@@ -129,6 +147,20 @@ pub(super) fn sarif(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         "version": "2.1.0",
         "runs": [{ "tool": { "driver": driver }, "columnKind": "unicodeCodePoints", "results": results }],
     }))
+}
+
+/// A file's name as a reference that a URI may be: what has no place in one is written `%20`.
+fn uri(name: &str) -> String {
+    let mut out = String::new();
+    for byte in name.replace('\\', "/").bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
+            out.push(char::from(byte));
+        } else {
+            let digit = |n: u8| char::from(b"0123456789ABCDEF"[usize::from(n)]);
+            out.extend(['%', digit(byte >> 4), digit(byte & 15)]);
+        }
+    }
+    out
 }
 
 pub(super) fn junit(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
@@ -163,5 +195,13 @@ pub(super) fn junit(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
 
 /// XML has no way to write most control characters.
 fn xml_text(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() && !matches!(c, '\n' | '\t') { '\u{fffd}' } else { c }).collect()
+    text.chars()
+        .map(|c| {
+            if c.is_control() && !matches!(c, '\n' | '\t') || matches!(c, '\u{fffe}' | '\u{ffff}') {
+                '\u{fffd}'
+            } else {
+                c
+            }
+        })
+        .collect()
 }
