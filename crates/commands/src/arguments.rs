@@ -66,7 +66,7 @@ impl Interpreter {
         let path = self.host.resolve(&path);
         let mut text = lines.join("\n");
         text.push('\n');
-        std::fs::write(&path, text).map_err(|e| {
+        self.host.write_file(&path, &text).map_err(|e| {
             vec![
                 Diagnostic::error("file/cannot-write", format!("cannot write `{}`: {e}", path.display()))
                     .at(argument.value_span, "this file"),

@@ -10,7 +10,7 @@ use crate::{
     known,
     program::Program,
     tree::{Command, Parameter, Role},
-    words::{Match, match_word, nearest},
+    words::{Match, did_you_mean, match_word},
 };
 
 /// An argument with the parameter it is for.
@@ -234,14 +234,15 @@ pub fn match_parameter(parameters: &[Parameter], typed: &str) -> Match {
 }
 
 fn unknown_argument(path: &str, parameters: &[Parameter], typed: &str, span: Span) -> Diagnostic {
-    let mut error = Diagnostic::error("command/unknown-argument", format!("`{path}` has no parameter `{typed}`"))
+    let error = Diagnostic::error("command/unknown-argument", format!("`{path}` has no parameter `{typed}`"))
         .at(span, "unknown parameter")
         .adams(format!("'{typed}' is not a valid parameter."));
-    if let Some(guess) = nearest(parameters.iter().map(|p| &*p.name), typed) {
-        error = error.fix(format!("did you mean `{guess}`?"), span, guess);
-    } else if parameters.len() <= 30 && !parameters.is_empty() {
-        let names: Vec<&str> = parameters.iter().map(|p| &*p.name).collect();
-        error = error.note(format!("its parameters are {}", names.join(", ")));
+    match did_you_mean(error, parameters.iter().map(|p| &*p.name), typed, span, str::to_string) {
+        Ok(error) => error,
+        Err(error) if parameters.len() <= 30 && !parameters.is_empty() => {
+            let names: Vec<&str> = parameters.iter().map(|p| &*p.name).collect();
+            error.note(format!("its parameters are {}", names.join(", ")))
+        }
+        Err(error) => error,
     }
-    error
 }

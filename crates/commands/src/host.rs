@@ -97,6 +97,12 @@ pub trait Host: Send {
         Vec::new()
     }
 
+    /// Writes a file that a command names. Everything that a command leaves outside of the session
+    /// goes through the host, so that a session that only looks leaves nothing.
+    fn write_file(&mut self, path: &Path, text: &str) -> std::io::Result<()> {
+        std::fs::write(path, text)
+    }
+
     /// Lines for the information window.
     fn show(&mut self, _lines: &[String]) {}
 

@@ -78,6 +78,9 @@ const DEEPEST: usize = 100;
 /// Passes of one loop before it is taken for endless, unless a session says otherwise.
 const MOST_PASSES: u64 = 10_000_000;
 
+/// Blocks stand in each other up to this depth; calls count twice.
+const DEEPEST_BLOCK: usize = 250;
+
 /// An interpreter of commands.
 pub struct Interpreter {
     pub database: Database,
@@ -327,7 +330,11 @@ impl Interpreter {
                 ]);
                 return Flow::Abort;
             }
+            let opens = matches!(blocks.control[at], Control::If | Control::While | Control::For);
             let (flow, next) = match blocks.control[at] {
+                _ if opens && self.block_depth + 2 * self.trace.len() >= DEEPEST_BLOCK => {
+                    (self.too_deep(program, at), blocks.end[at] + 1)
+                }
                 Control::If => (self.run_if(program, blocks, at), blocks.end[at] + 1),
                 Control::While => (self.run_while(program, blocks, at), blocks.end[at] + 1),
                 Control::For => (self.run_for(program, blocks, at), blocks.end[at] + 1),
@@ -339,6 +346,16 @@ impl Interpreter {
             at = next;
         }
         Flow::Next
+    }
+
+    /// Refuses a block: every level costs stack.
+    fn too_deep(&mut self, program: &Program, at: usize) -> Flow {
+        let span = program.statements[at].statement.span;
+        self.failed(vec![
+            Diagnostic::error("command/too-deep", "this block stands too deep in other blocks")
+                .at(span, "left out")
+                .note(format!("at most {DEEPEST_BLOCK} levels are executed")),
+        ])
     }
 
     /// Files diagnostics, each with the calls that led to it, and writes them to the journal.

@@ -66,6 +66,12 @@ impl Interpreter {
         export::write(&self.database, model, &kept)
     }
 
+    /// The commands of a model that were skipped when it was read, as typed.
+    #[must_use]
+    pub fn kept_commands(&self, model: ObjectId) -> Vec<String> {
+        self.kept.iter().filter(|k| k.model == model).map(|k| k.text.clone()).collect()
+    }
+
     /// Keeps the text of a statement that has been skipped, if it is a piece of the current model.
     pub(crate) fn keep(&mut self, program: &Program, index: usize) {
         let Some(model) = self.database.current("model") else { return };

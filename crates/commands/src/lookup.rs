@@ -7,7 +7,7 @@ use text::{Diagnostic, Severity, Span};
 
 use crate::{
     journal::PATTERN,
-    words::{glob, is_pattern, nearest},
+    words::{did_you_mean, glob, is_pattern, nearest},
 };
 
 /// A place for a new object.
@@ -180,10 +180,11 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
             .adams(format!("No {word} named '{name}' was found."));
         if let Some(id) = search_one(database, name, "any") {
             error = error.note(format!("`{}` is a {}", database.full_name(id), database.object(id).class.word));
-        } else if let Some(guess) = guess(database, name, wanted) {
-            error = error.fix(format!("did you mean `{guess}`?"), span, guess);
+            return error;
         }
-        return error;
+        let below = database.current("model").map(|model| database.below(model, wanted)).unwrap_or_default();
+        let names = below.iter().map(|id| database.object(*id).name.as_str());
+        return did_you_mean(error, names, name, span, quoted).unwrap_or_else(|error| error);
     };
     let steps = split_name(rest);
     let mut parent: Option<ObjectId> = None;
@@ -221,22 +222,16 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
         });
         if let Some(other) = database.child(parent, step, "any") {
             error = error.note(format!("`{}` is a {}", database.full_name(other), database.object(other).class.word));
-        } else if let Some(near) = nearest(names, step) {
+            return error;
+        }
+        let full = |near: &str| {
             let mut full: Vec<String> = steps.iter().map(|s| quoted(s)).collect();
             full[depth] = quoted(near);
-            let full = format!(".{}", full.join("."));
-            error = error.fix(format!("did you mean `{full}`?"), span, full);
-        }
-        return error;
+            format!(".{}", full.join("."))
+        };
+        return did_you_mean(error, names, step, span, full).unwrap_or_else(|error| error);
     }
     Diagnostic::error("name/not-found", format!("there is no {lower} `{name}`")).at(span, "not found")
-}
-
-fn guess(database: &Database, name: &str, wanted: &str) -> Option<String> {
-    let model = database.current("model")?;
-    let below = database.below(model, wanted);
-    let names = below.iter().map(|id| database.object(*id).name.as_str());
-    nearest(names, name).map(quoted)
 }
 
 /// Where a new object of a class goes when nothing or only its own name is given.

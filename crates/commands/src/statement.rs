@@ -12,7 +12,7 @@ use crate::{
     known, lookup,
     program::Program,
     tree::{Action, Command, Path},
-    words::nearest,
+    words::did_you_mean,
 };
 
 type Errors = Vec<Diagnostic>;
@@ -400,15 +400,16 @@ fn unknown_keyword(word: &str, span: Span, before: &[&str], near: &[String]) -> 
     } else {
         format!("`{word}` does not follow `{}`", before.join(" "))
     };
-    let mut error = Diagnostic::error("command/unknown-keyword", message)
+    let error = Diagnostic::error("command/unknown-keyword", message)
         .at(span, "unknown keyword")
         .adams(format!("'{word}' is not a valid keyword. You may have misspelled"))
         .adams("the keyword or you may be missing a continuation character(&)")
         .adams("on the previous line.");
-    if let Some(guess) = nearest(near.iter().map(String::as_str), word) {
-        error = error.fix(format!("did you mean `{guess}`?"), span, guess);
-    } else if !before.is_empty() && near.len() <= 30 {
-        error = error.note(format!("what may follow is {}", near.join(", ")));
+    match did_you_mean(error, near.iter().map(String::as_str), word, span, str::to_string) {
+        Ok(error) => error,
+        Err(error) if !before.is_empty() && near.len() <= 30 => {
+            error.note(format!("what may follow is {}", near.join(", ")))
+        }
+        Err(error) => error,
     }
-    error
 }

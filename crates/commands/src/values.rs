@@ -13,7 +13,7 @@ use crate::{
     evaluation::{self, Outcome},
     function_text, lookup,
     program::Program,
-    words::{Match, is_pattern, match_word, nearest},
+    words::{Match, did_you_mean, is_pattern, match_word},
 };
 
 /// A value for a cell, not yet stored.
@@ -347,16 +347,15 @@ impl Reader<'_> {
                     ]);
                 }
                 Match::None => {
-                    let mut error = Diagnostic::error(
+                    let error = Diagnostic::error(
                         "command/unknown-word",
                         format!("`{typed}` is not a choice for `{}`", field.name),
                     )
                     .at(item.span, format!("wants {}", words.join(", ")))
                     .adams(format!("'{typed}' is not a valid choice for '{}'.", field.name));
-                    if let Some(guess) = nearest(words.iter().copied(), &typed) {
-                        error = error.fix(format!("did you mean `{guess}`?"), item.span, guess);
-                    }
-                    return Err(vec![error]);
+                    let words = words.iter().copied();
+                    let guessed = did_you_mean(error, words, &typed, item.span, str::to_string);
+                    return Err(vec![guessed.unwrap_or_else(|error| error)]);
                 }
             }
         }

@@ -1,5 +1,7 @@
 //! Matching of abbreviated words and guesses at misspelled ones.
 
+use text::{Diagnostic, Span};
+
 /// What an abbreviation may stand for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Match {
@@ -43,6 +45,36 @@ pub fn nearest<'a>(candidates: impl IntoIterator<Item = &'a str>, word: &str) ->
         .filter(|(d, _)| *d <= allowed)
         .min_by_key(|(d, _)| *d)
         .map(|(_, c)| c)
+}
+
+/// Says which candidate a misspelled word was probably meant to be: as a fix where it is certain,
+/// which means that no other candidate is as near. `write` makes the replacement. Where nothing is
+/// near, `Err` gives the diagnostic back.
+pub fn did_you_mean<'a>(
+    error: Diagnostic,
+    candidates: impl IntoIterator<Item = &'a str>,
+    word: &str,
+    span: Span,
+    write: impl Fn(&str) -> String,
+) -> Result<Diagnostic, Diagnostic> {
+    let lower = word.to_ascii_lowercase();
+    let allowed = (lower.chars().count() / 3).max(1);
+    let mut best: Option<(usize, &str, bool)> = None;
+    for candidate in candidates {
+        let far = distance(&candidate.to_ascii_lowercase(), &lower, allowed);
+        match best {
+            _ if far > allowed => {}
+            Some((least, known, _)) if far == least && !known.eq_ignore_ascii_case(candidate) => {
+                best = Some((least, known, false));
+            }
+            Some((least, ..)) if far >= least => {}
+            _ => best = Some((far, candidate, true)),
+        }
+    }
+    let Some((_, guess, only)) = best else { return Err(error) };
+    let replacement = write(guess);
+    let help = format!("did you mean `{replacement}`?");
+    Ok(if only { error.fix(help, span, replacement) } else { error.help(help) })
 }
 
 /// Edit distance with swaps of neighbours, cut off above `limit`.
@@ -127,6 +159,19 @@ mod tests {
     fn misspelled_words_are_guessed_when_near() {
         assert_eq!(nearest(["youngs_modulus", "length"], "young_modulus"), Some("youngs_modulus"));
         assert_eq!(nearest(["youngs_modulus", "length"], "banana"), None);
+    }
+
+    #[test]
+    fn a_guess_is_a_fix_where_no_other_is_as_near() {
+        let span = Span::new(text::FileId(0), 0, 3);
+        let guess = |word| {
+            let error = Diagnostic::error("x/y", "wrong");
+            let guessed = did_you_mean(error, ["ixx", "iyy", "ixz", "length"], word, span, str::to_string);
+            guessed.ok().map(|d| (d.helps[0].text.clone(), d.helps[0].fix.clone().map(|f| f.replacement)))
+        };
+        assert_eq!(guess("lenght"), Some(("did you mean `length`?".into(), Some("length".into()))));
+        assert_eq!(guess("ixy"), Some(("did you mean `ixx`?".into(), None)));
+        assert_eq!(guess("mass"), None);
     }
 
     #[test]

@@ -63,7 +63,7 @@ fn command_write(interpreter: &mut Interpreter, call: &Call) -> Outcome {
         path.set_extension("cmd");
     }
     let text = interpreter.write_model(model);
-    std::fs::write(&path, text).map_err(|e| {
+    interpreter.host.write_file(&path, &text).map_err(|e| {
         vec![
             Diagnostic::error("file/cannot-write", format!("cannot write `{}`: {e}", path.display()))
                 .at(argument.value_span, "this file"),
