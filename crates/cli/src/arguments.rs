@@ -31,10 +31,12 @@ pub enum Command {
     Convert(Convert),
     /// Draw series of a results file, or a model, as SVG or PNG.
     Plot(Plot),
-    /// Compare two results files.
+    /// Compare two models, or two results files.
     Diff(Diff),
     /// The command window: Tab completes, `?` lists what may follow, every command can be undone.
     Shell(Shell),
+    /// Lay out command files and macros as Adams View writes its own.
+    Fmt(Fmt),
     /// List what is run, what is kept but not simulated, and what is not supported.
     Support,
 }
@@ -154,6 +156,25 @@ pub struct Check {
     /// Form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
+    /// Mend in the files what is certain to be mended so; standard input is written to standard output.
+    #[arg(long)]
+    pub fix: bool,
+    /// With --fix: show what would change, and write nothing.
+    #[arg(long, requires = "fix")]
+    pub diff: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Fmt {
+    /// Command files and macros (.cmd, .mac); `-` reads standard input and writes standard output.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// List the files that would change, and write nothing; exit status 1 if there are any.
+    #[arg(long)]
+    pub check: bool,
+    /// Show what would change, and write nothing; exit status 1 if anything would.
+    #[arg(long)]
+    pub diff: bool,
 }
 
 #[derive(Debug, Args)]
@@ -201,13 +222,24 @@ pub struct Plot {
     pub size: String,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DiffFormat {
+    Text,
+    Json,
+}
+
 #[derive(Debug, Args)]
 pub struct Diff {
+    /// Model (.cmd) or results (.csv, .parquet).
     pub a: PathBuf,
     pub b: PathBuf,
-    /// Largest difference, relative to the largest value of a series, that still counts as equal.
+    /// Largest difference, relative to the largest value of a series, that still counts as equal;
+    /// of models, relative to the value.
     #[arg(long, default_value_t = 0.0)]
     pub tolerance: f64,
+    /// Form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
 }
 
 #[derive(Debug, Args)]

@@ -27,6 +27,8 @@ pub(crate) struct Engine {
     pub runs: Vec<Run>,
     /// Simulations that commands ask for are left out.
     pub idle: bool,
+    /// Commands write no file.
+    pub read_only: bool,
     pub record_all: bool,
     /// Folder of the file being read; relative paths are tried there too.
     pub folder: Option<PathBuf>,
@@ -44,6 +46,7 @@ impl Default for Engine {
             observer,
             runs: Vec::new(),
             idle: false,
+            read_only: false,
             record_all: false,
             folder: None,
             warnings: Vec::new(),
@@ -160,6 +163,11 @@ pub(crate) fn write_data_set(
     let written = dataset_of(database, model)?;
     std::fs::write(path, written.text).map_err(|e| vec![cannot_write(path, &e)])?;
     Ok(written.warnings)
+}
+
+/// What of a model would not be in its solver dataset, which is not written.
+pub(crate) fn data_set(database: &mut Database, model: ObjectId) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+    Ok(dataset_of(database, model)?.warnings)
 }
 
 /// A model as a solver dataset; parts without mass of their own get that of their geometry.

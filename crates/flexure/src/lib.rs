@@ -2,7 +2,10 @@
 //! door (command line, Python) stands on it and on nothing behind it.
 
 mod attributes;
+mod compare_models;
 mod engine;
+mod fixes;
+mod layout;
 mod modes;
 mod persistence;
 mod run;
@@ -13,6 +16,9 @@ mod support;
 mod window;
 
 pub use attributes::{Attribute, AttributeValue};
+pub use compare_models::{ModelChange, ModelDifferences, ValueChange, Why};
+pub use fixes::{Fixed, apply_fixes};
+pub use layout::Layout;
 pub use modes::{Mode, ModesReport};
 pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
 pub use session::{Report, Session, Verification};

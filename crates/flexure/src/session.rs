@@ -12,7 +12,8 @@ use results::Polyline;
 use text::{Diagnostic, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
-use crate::engine::{Engine, write_data_set};
+use crate::compare_models::{ModelDifferences, Side, compare_models};
+use crate::engine::{Engine, data_set, write_data_set};
 use crate::modes::ModesReport;
 use crate::persistence::Persistence;
 use crate::run::{Run, RunObserver};
@@ -85,6 +86,14 @@ impl Session {
     /// Whether simulations that commands ask for are left out.
     pub fn simulate_nothing(&mut self, nothing: bool) {
         self.engine().idle = nothing;
+    }
+
+    /// Whether commands leave everything outside of the session alone: nothing is simulated and no
+    /// file is written.
+    pub fn touch_nothing(&mut self, nothing: bool) {
+        let mut engine = self.engine();
+        engine.idle = nothing;
+        engine.read_only = nothing;
     }
 
     /// Whether runs record every part, joint, motion and force beside requests and measures.
@@ -161,6 +170,12 @@ impl Session {
         let file = sources.add_bytes(name, bytes);
         let text = sources.text(file).to_string();
         self.journalled(&text, |interpreter| interpreter.run_text(name, &text))
+    }
+
+    /// Executes bytes as if a command file held them.
+    pub fn read_bytes_as(&mut self, path: &Path, bytes: Vec<u8>) -> Report {
+        self.engine().folder = path.parent().map(Path::to_path_buf);
+        self.read_bytes(&path.display().to_string(), bytes)
     }
 
     /// The report of a file that cannot be read.
@@ -259,6 +274,19 @@ impl Session {
         let component = |name| gravity.and_then(|g| database.number(g, name)).unwrap_or(0.0).abs();
         let sizes = ["x_component_gravity", "y_component_gravity", "z_component_gravity"].map(component);
         (0..3).max_by(|a, b| sizes[*a].total_cmp(&sizes[*b])).unwrap_or(2)
+    }
+
+    /// What is different in the current model of another session. A difference of numbers up to
+    /// `tolerance`, relative to their size, does not count.
+    ///
+    /// # Errors
+    /// If either session has no model.
+    pub fn compare(&self, other: &Session, tolerance: f64) -> Result<ModelDifferences, Vec<Diagnostic>> {
+        let (a, b) = (self.model_or_error()?, other.model_or_error()?);
+        let (kept_a, kept_b) = (self.interpreter.kept_commands(a), other.interpreter.kept_commands(b));
+        let a = Side { database: self.database(), model: a, kept: &kept_a };
+        let b = Side { database: other.database(), model: b, kept: &kept_b };
+        Ok(compare_models(a, b, tolerance))
     }
 
     // ---- doing ----
@@ -363,7 +391,8 @@ impl Host for EngineHost {
     }
 
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let warnings = write_data_set(database, model, path)?;
+        let warnings =
+            if lock(&self.0).read_only { data_set(database, model)? } else { write_data_set(database, model, path)? };
         let mut engine = lock(&self.0);
         warnings.iter().for_each(|w| engine.observer.message(&text::one_line(&Sources::default(), w)));
         Ok(())
@@ -376,6 +405,10 @@ impl Host for EngineHost {
 
     fn generate_ids(&mut self, database: &mut Database, model: ObjectId) -> Result<(), Vec<Diagnostic>> {
         dataset::number_objects(database, model)
+    }
+
+    fn write_file(&mut self, path: &Path, text: &str) -> io::Result<()> {
+        if lock(&self.0).read_only { Ok(()) } else { std::fs::write(path, text) }
     }
 
     fn show(&mut self, lines: &[String]) {

@@ -1,17 +1,38 @@
-//! `flexure check`: reads and binds; simulates nothing and writes nothing.
+//! `flexure check`: reads and binds; simulates nothing and writes nothing but, with `--fix`, the
+//! files it was given.
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
 
 use flexure::text::Format;
+use flexure::{Report, Session, apply_fixes};
 
 use crate::Outcome;
 use crate::arguments::{Check, ReportFormat};
-use crate::commands::{count, print, read, session};
+use crate::commands::{complain, count, print, read, session, unified};
+use crate::output::extension;
+
+/// A mended command may show the next trouble; so often at most.
+const MOST_ROUNDS: usize = 20;
 
 pub(super) fn execute(check: &Check) -> Outcome {
     let mut session = session();
-    session.simulate_nothing(true);
+    session.touch_nothing(true);
     let mut diagnostics = Vec::new();
-    for file in &check.files {
-        diagnostics.extend(read(&mut session, file).diagnostics);
+    let mut written = true;
+    if check.fix {
+        let (mut inputs, others) = inputs(&check.files);
+        written = mend(check, &mut inputs);
+        for input in inputs {
+            diagnostics.extend(input.execute(&mut session).diagnostics);
+        }
+        for path in others {
+            diagnostics.extend(read(&mut session, path).diagnostics);
+        }
+    } else {
+        for path in &check.files {
+            diagnostics.extend(read(&mut session, path).diagnostics);
+        }
     }
     let errors = diagnostics.iter().filter(|d| d.is_error()).count();
     match check.format {
@@ -19,9 +40,124 @@ pub(super) fn execute(check: &Check) -> Outcome {
             print(&session, &diagnostics);
             eprintln!("{}, {}", count(errors, "error"), count(diagnostics.len() - errors, "warning"));
         }
-        machine => print!("{}", flexure::text::render(session.sources(), &diagnostics, form(machine))),
+        machine => {
+            let report = flexure::text::render(session.sources(), &diagnostics, form(machine));
+            // Standard output holds the mended text of standard input, or the difference.
+            if check.diff || check.fix && check.files.iter().any(|path| path == Path::new("-")) {
+                eprint!("{report}");
+            } else {
+                print!("{report}");
+            }
+        }
     }
-    if errors > 0 { Outcome::Findings } else { Outcome::Fine }
+    if errors > 0 || !written { Outcome::Findings } else { Outcome::Fine }
+}
+
+/// A file to be checked.
+struct Input {
+    path: PathBuf,
+    bytes: Vec<u8>,
+    /// As it was read.
+    original: Vec<u8>,
+}
+
+/// The files that can be mended, and those that cannot be read or hold no commands.
+fn inputs(paths: &[PathBuf]) -> (Vec<Input>, Vec<&Path>) {
+    let (mut inputs, mut others) = (Vec::new(), Vec::new());
+    for path in paths {
+        let mut bytes = Vec::new();
+        let read = match (path == Path::new("-"), extension(path).as_str()) {
+            (true, _) => std::io::stdin().read_to_end(&mut bytes).is_ok(),
+            (false, "cmd" | "mac") => std::fs::read(path).map(|read| bytes = read).is_ok(),
+            _ => false,
+        };
+        if read {
+            inputs.push(Input { path: path.clone(), original: bytes.clone(), bytes });
+        } else {
+            others.push(path.as_path());
+        }
+    }
+    (inputs, others)
+}
+
+impl Input {
+    fn is_stdin(&self) -> bool {
+        self.path == Path::new("-")
+    }
+
+    fn name(&self) -> String {
+        if self.is_stdin() { "<standard input>".into() } else { self.path.display().to_string() }
+    }
+
+    fn execute(&self, session: &mut Session) -> Report {
+        if self.is_stdin() {
+            session.read_bytes(&self.name(), self.bytes.clone())
+        } else {
+            session.read_bytes_as(&self.path, self.bytes.clone())
+        }
+    }
+}
+
+/// Applies fixes until none is left; false if a file could not be written.
+fn mend(check: &Check, inputs: &mut [Input]) -> bool {
+    let mut left = Vec::new();
+    for _ in 0..MOST_ROUNDS {
+        let mut session = session();
+        session.touch_nothing(true);
+        let mut diagnostics = Vec::new();
+        for input in inputs.iter() {
+            diagnostics.extend(input.execute(&mut session).diagnostics);
+        }
+        let mut applied = 0;
+        left.clear();
+        for input in inputs.iter_mut() {
+            let Some(file) = session.sources().find(&input.name()) else { continue };
+            let fixed = apply_fixes(session.sources(), file, &diagnostics);
+            left.extend(fixed.left);
+            if fixed.applied.is_empty() {
+                continue;
+            }
+            let Some(bytes) = encoded(&input.bytes, &fixed.text) else {
+                left.push(format!("{}: a fix cannot be written in the encoding of the file", input.name()));
+                continue;
+            };
+            input.bytes = bytes;
+            applied += fixed.applied.len();
+            fixed.applied.iter().for_each(|line| eprintln!("fixed: {line}"));
+        }
+        if applied == 0 {
+            break;
+        }
+    }
+    left.iter().for_each(|line| eprintln!("not fixed, for another fix wants the same place: {line}"));
+    let mut written = true;
+    for input in inputs.iter() {
+        let changed = input.bytes != input.original;
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        let outcome = if check.diff {
+            print!("{}", unified(&input.name(), &text(&input.original), &text(&input.bytes)));
+            Ok(())
+        } else if input.is_stdin() {
+            std::io::stdout().write_all(&input.bytes)
+        } else if changed {
+            std::fs::write(&input.path, &input.bytes)
+        } else {
+            Ok(())
+        };
+        if let Err(error) = outcome {
+            complain(format_args!("cannot write {}: {error}", input.name()));
+            written = false;
+        }
+    }
+    written
+}
+
+/// A text in the encoding of the bytes it was made from; none if it does not fit.
+fn encoded(original: &[u8], text: &str) -> Option<Vec<u8>> {
+    if std::str::from_utf8(original).is_ok() {
+        return Some(text.as_bytes().to_vec());
+    }
+    flexure::text::to_windows_1252(text)
 }
 
 fn form(format: ReportFormat) -> Format {

@@ -3,6 +3,7 @@
 mod check;
 mod convert;
 mod diff;
+mod fmt;
 mod modes;
 mod plot;
 mod run;
@@ -31,6 +32,7 @@ pub(crate) fn execute(arguments: &Arguments) -> Outcome {
         Command::Plot(plot) => plot::execute(plot),
         Command::Diff(diff) => diff::execute(diff),
         Command::Shell(shell) => crate::shell::execute(shell),
+        Command::Fmt(fmt) => fmt::execute(fmt),
         Command::Support => support::execute(),
     }
 }
@@ -91,6 +93,12 @@ pub(crate) fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
         sound &= !report.has_errors();
     }
     sound
+}
+
+/// Two texts as a unified diff.
+fn unified(name: &str, before: &str, after: &str) -> String {
+    let diff = similar::TextDiff::configure().timeout(std::time::Duration::from_secs(2)).diff_lines(before, after);
+    diff.unified_diff().context_radius(3).header(name, name).to_string()
 }
 
 /// `1 error`, `3 warnings`.
