@@ -264,7 +264,8 @@ impl Interpreter {
         let mut program = Program::new(&self.sources, file);
         let mut blocks = Blocks::default();
         let journal_state = self.journal.as_mut().map(Journal::begin_program);
-        let depth = std::mem::take(&mut self.block_depth);
+        // A file that is read within a block is echoed at the depth of that block.
+        let depth = self.block_depth;
         let mut flow = Flow::Next;
         while flow == Flow::Next && blocks.read_unit(&mut program, &mut parser, &words) {
             flow = self.run_unit(&program, &blocks);
