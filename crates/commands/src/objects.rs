@@ -330,7 +330,7 @@ impl Interpreter {
     /// Fills cells that were not given and have a default.
     fn set_defaults(&mut self, id: ObjectId, class: &'static Class, group: &'static Group, call: &Call) -> Outcome<()> {
         for field in group.fields {
-            if field.usage == Use::Modify || call.argument(field.name).is_some() {
+            if field.default == Default::None || field.usage == Use::Modify || call.argument(field.name).is_some() {
                 continue;
             }
             let Some(cell) = class.cell_index(field.name) else { continue };

@@ -99,9 +99,10 @@ impl CommandTree {
     pub fn new(registry: &Registry) -> CommandTree {
         let mut tree = CommandTree { nodes: vec![Node::default()] };
         for (path, words) in known::KEYWORDS {
+            let node = tree.reach(path.split_whitespace());
             for word in words.split_whitespace() {
-                let node = tree.reach(path.split_whitespace().chain([word]));
-                tree.nodes[node].known_only = true;
+                let child = tree.child(node, word);
+                tree.nodes[child].known_only = true;
             }
         }
         let mut setters: IndexMap<String, Vec<ClassGroup>> = IndexMap::new();
@@ -158,19 +159,21 @@ impl CommandTree {
     }
 
     fn reach<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> usize {
-        let mut node = 0;
-        for word in words {
-            let word: Box<str> = word.to_ascii_lowercase().into();
-            node = if let Some(&child) = self.nodes[node].children.get(&word) {
-                child
-            } else {
-                self.nodes.push(Node::default());
-                let child = self.nodes.len() - 1;
-                self.nodes[node].children.insert(word, child);
-                child
-            };
+        words.fold(0, |node, word| self.child(node, word))
+    }
+
+    /// The node behind a word, which is made if missing.
+    fn child(&mut self, node: usize, word: &str) -> usize {
+        // Tables are in lower case.
+        if let Some(&child) = self.nodes[node].children.get(word) {
+            return child;
         }
-        node
+        let new = self.nodes.len();
+        let child = *self.nodes[node].children.entry(word.to_ascii_lowercase().into()).or_insert(new);
+        if child == new {
+            self.nodes.push(Node::default());
+        }
+        child
     }
 
     /// A node that leads to a command, or that the list of keywords names.
