@@ -105,3 +105,23 @@ def test_a_swapped_beam_is_found_with_the_command_that_mends_it(strip):
     finding = next(f for f in strip.verify() if "beam_3" in f.diagnostic.message)
     strip.execute(finding.fix)
     assert not [f for f in strip.verify() if "beam_3" in f.diagnostic.message]
+
+
+def test_a_model_is_kept_in_an_fx_file(strip, tmp_path):
+    strip.beams["beam_2"].length = 123.0
+    strip.write(tmp_path / "strip.fx")
+    again = fx.read(tmp_path / "strip.fx")
+    assert again.beams["beam_2"].length == 123.0
+    # Twin: both written as commands.
+    strip.write(tmp_path / "a.cmd")
+    again.write(tmp_path / "b.cmd")
+    assert (tmp_path / "a.cmd").read_bytes() == (tmp_path / "b.cmd").read_bytes()
+
+
+def test_a_damaged_fx_file_is_refused(strip, tmp_path):
+    path = tmp_path / "strip.fx"
+    strip.write(path)
+    path.write_bytes(path.read_bytes()[:5000])
+    with pytest.raises(fx.FlexureError) as caught:
+        fx.read(path)
+    assert caught.value.diagnostics[0].code == "store/damaged"

@@ -56,7 +56,6 @@ fn begin(session: &mut Session, shell: &Shell) -> bool {
             false
         }
     };
-    let mut fresh = true;
     if let Some(path) = &shell.model {
         let is_store = extension(path) == "fx";
         if is_store && !shell.read_only {
@@ -64,7 +63,6 @@ fn begin(session: &mut Session, shell: &Shell) -> bool {
             if !refuse(session, outcome) {
                 return false;
             }
-            fresh = false;
         } else {
             session.simulate_nothing(true);
             let sound = open(session, path, &Edits { commands: Vec::new() });
@@ -75,7 +73,7 @@ fn begin(session: &mut Session, shell: &Shell) -> bool {
         }
     }
     let Some(path) = &shell.save else { return true };
-    if path.exists() && fresh && !shell.overwrite {
+    if path.exists() && session.saved_in() != Some(path) && !shell.overwrite {
         complain(format_args!("{} exists; open it, or add --overwrite", path.display()));
         return false;
     }
