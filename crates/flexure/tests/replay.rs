@@ -116,13 +116,17 @@ const DIALOGS: &str = "the loop goes over menus and tool bars of the product, wh
 
 /// Why the two differ: part of a line where they do (of the command or of what either says), and
 /// the reason.
-const REASONS: [(&str, &str); 7] = [
+const REASONS: [(&str, &str); 8] = [
     ("No Any named 'gui' was found", DIALOGS),
     ("obj=.gui.", DIALOGS),
     ("Graphic_Interface_Field", "the pattern means fields of dialogs of the product, which do not exist here"),
     ("=.icons.", "the symbol belongs to the product, and no command of the log makes it"),
     ("Geometry named 'icons'", "the symbol belongs to the product, and no command of the log makes it"),
     ("default attributes", "fonts and end caps of the display are parameters no table of commands has yet"),
+    (
+        "Simulation failure detected",
+        "the chain of springs is simulated there and fails here, which is still to be mended",
+    ),
     ("cannot be simulated yet", "an element of the model can be read and written, but not simulated"),
 ];
 
