@@ -43,7 +43,7 @@ impl Interpreter {
     pub fn complete(&self, text: &str) -> Completion {
         match situation(text) {
             Situation::Nowhere => Completion { start: text.len(), ..Completion::default() },
-            Situation::Word(place) => self.complete_word(text, place),
+            Situation::Word(place) => self.complete_word(text, &place),
             Situation::Value { place, parameter, quoted } => self.complete_value(text, &place, &parameter, quoted),
             Situation::Expression(place) => {
                 let prefix = typed(text, place.start).to_string();
@@ -87,7 +87,7 @@ impl Interpreter {
         lines
     }
 
-    fn complete_word(&self, text: &str, place: Place) -> Completion {
+    fn complete_word(&self, text: &str, place: &Place) -> Completion {
         let prefix = typed(text, place.start);
         let words: Vec<&str> = place.keywords.iter().map(String::as_str).collect();
         let mut candidates = Vec::new();
@@ -110,7 +110,7 @@ impl Interpreter {
             && !words.is_empty()
         {
             title = format!("{}: {}", command.path, help::doc_of(&command, &self.database));
-            candidates.extend(self.parameters_left(&command, &place, prefix));
+            candidates.extend(self.parameters_left(&command, place, prefix));
         }
         Completion { start: place.start, title, candidates }
     }
@@ -317,11 +317,8 @@ impl Interpreter {
             }
             found.sort_by(|a, b| a.text.cmp(&b.text));
         }
-        if !prefix.is_empty() {
-            found.extend(objects(&self.database, "any", prefix));
-        } else {
-            found.extend(objects(&self.database, "variable", prefix));
-        }
+        let wanted = if prefix.is_empty() { "variable" } else { "any" };
+        found.extend(objects(&self.database, wanted, prefix));
         found
     }
 }
@@ -388,8 +385,6 @@ fn objects(database: &Database, wanted: &str, prefix: &str) -> Vec<Candidate> {
             let own = model.is_some() && database.model_of(id) == model && object.class.id != "model";
             if unique && own && begins(&object.name, prefix) {
                 found.push((id, quoted(&object.name)));
-            } else if prefix.is_empty() || !own && object.parent.is_none() && begins(&object.name, prefix) {
-                found.push((id, database.full_name(id)));
             } else if begins(&object.name, prefix) {
                 found.push((id, database.full_name(id)));
             }
