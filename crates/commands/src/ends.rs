@@ -79,6 +79,7 @@ pub fn generate_markers(interpreter: &mut Interpreter, id: ObjectId, call: &Call
             registry: &interpreter.registry,
             sources: &interpreter.sources,
             program: call.program,
+            world: &interpreter.world,
             owner: Some(made),
             warnings: Vec::new(),
         };

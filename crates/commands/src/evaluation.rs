@@ -1,6 +1,6 @@
 //! The one place where this room asks `expressions` for something.
 
-use expressions::{Bound, Scope};
+use expressions::{Bound, Scope, World};
 use model::{Database, Expression, Node, ObjectId, Value};
 use schema::Dimension;
 use syntax::command::{self, ExpressionKind};
@@ -21,9 +21,10 @@ pub fn evaluate(
     expression: &command::Expression,
     database: &Database,
     sources: &Sources,
+    world: &World,
     owner: Option<ObjectId>,
 ) -> Result<Outcome, Vec<Diagnostic>> {
-    let scope = Scope { owner, ..Scope::new(database, sources) };
+    let scope = Scope { owner, ..Scope::new(database, sources).in_world(world) };
     in_scope(expression, &scope).map_err(|errors| name_what_was_read(expression, database, errors))
 }
 
@@ -79,6 +80,14 @@ pub fn recompute(database: &mut Database, changed: &[model::CellKey]) -> Result<
         return Ok(());
     }
     expressions::recompute(database, changed)
+}
+
+/// Re-evaluates what follows from which objects there are; gives warnings of what no longer can be.
+pub fn restructure(database: &mut Database) -> Result<Vec<Diagnostic>, Diagnostic> {
+    if database.dependents(expressions::STRUCTURE).is_empty() {
+        return Ok(Vec::new());
+    }
+    expressions::restructure(database)
 }
 
 /// What the value of an expression is multiplied with for a field in radians per unit of time.

@@ -87,6 +87,8 @@ pub struct Interpreter {
     pub sources: Sources,
     pub on_error: OnError,
     pub journal: Option<Journal>,
+    /// Clock, files, environment and messages of expressions. At first it may be looked at only.
+    pub world: expressions::World,
     pub(crate) registry: Registry,
     pub(crate) tree: CommandTree,
     pub(crate) host: Box<dyn Host>,
@@ -130,6 +132,7 @@ impl Interpreter {
             registry.classes.push(&crate::macros::LIBRARY);
         }
         let tree = CommandTree::new(&registry);
+        let world = expressions::World::new(false).with_classes(registry.classes.clone());
         let mut database = Database::default();
         // The library that macros keep their own variables in is there from the start.
         if database.create(&crate::macros::LIBRARY, None, "mdi").is_ok() {
@@ -140,6 +143,7 @@ impl Interpreter {
             sources: Sources::default(),
             on_error: OnError::default(),
             journal: None,
+            world,
             registry,
             tree,
             host,

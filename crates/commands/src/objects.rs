@@ -277,6 +277,7 @@ impl Interpreter {
                 registry: &self.registry,
                 sources: &self.sources,
                 program: call.program,
+                world: &self.world,
                 owner: Some(id),
                 warnings: Vec::new(),
             };
@@ -304,6 +305,7 @@ impl Interpreter {
             registry: &self.registry,
             sources: &self.sources,
             program: call.program,
+            world: &self.world,
             owner: Some(id),
             warnings: Vec::new(),
         };
@@ -462,6 +464,7 @@ impl Interpreter {
             registry: &self.registry,
             sources: &self.sources,
             program: call.program,
+            world: &self.world,
             owner,
             warnings: Vec::new(),
         };
@@ -476,7 +479,7 @@ impl Interpreter {
         if let [item] = argument.values.as_slice() {
             match &item.kind {
                 ItemKind::Expression(e) => {
-                    let value = evaluation::evaluate(e, &self.database, &self.sources, None)?.value;
+                    let value = evaluation::evaluate(e, &self.database, &self.sources, &self.world, None)?.value;
                     return Ok(crate::values::text_of(&value, &self.database));
                 }
                 // A quoted name that is not plain keeps its quotes, so that dots in it are no path.

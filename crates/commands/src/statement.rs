@@ -8,6 +8,7 @@ use crate::{
     Interpreter, OnError,
     blocks::Control,
     call::Call,
+    evaluation,
     interpreter::Flow,
     known, lookup,
     program::Program,
@@ -31,6 +32,7 @@ impl Interpreter {
         {
             outcome = answered;
         }
+        let outcome = outcome.and_then(|flow| self.settle(mark).map(|()| flow));
         self.unit_refused = outcome.is_err() && self.block_depth == 0;
         self.echo_pending(program, index, outcome.as_ref().err());
         match outcome {
@@ -43,12 +45,14 @@ impl Interpreter {
                     flow
                 };
                 self.trace_warnings(before);
+                let flow = if flow == Flow::Next { self.run_asked_for().unwrap_or(flow) } else { flow };
                 if self.undo_blocks == 0 {
                     self.database.finish_step();
                 }
                 flow
             }
             Err(errors) => {
+                self.world.take_commands();
                 self.database.roll_back(mark);
                 self.names.forget();
                 self.trace_warnings(before);
@@ -64,6 +68,31 @@ impl Interpreter {
                 self.failed(errors)
             }
         }
+    }
+
+    /// What follows a command that changed the model: expressions that ask which objects there are
+    /// are evaluated again. What expressions printed is reported.
+    fn settle(&mut self, mark: model::Mark) -> Result<(), Errors> {
+        for line in self.world.take_printed() {
+            self.report.diagnostics.push(Diagnostic::new(text::Severity::Note, "expression/printed", line));
+        }
+        if self.database.changed_since(mark) {
+            let warnings = evaluation::restructure(&mut self.database).map_err(|e| vec![e])?;
+            self.report.diagnostics.extend(warnings);
+        }
+        Ok(())
+    }
+
+    /// Runs the commands that expressions of the last one asked for.
+    fn run_asked_for(&mut self) -> Option<Flow> {
+        let commands = self.world.take_commands();
+        for command in commands {
+            let file = self.sources.add("<command of an expression>", command);
+            if self.run_source(file) == Flow::Abort {
+                return Some(Flow::Abort);
+            }
+        }
+        None
     }
 
     /// The command that failed, if only because it names what a skipped command would have made.

@@ -36,6 +36,7 @@ pub struct Reader<'a> {
     pub registry: &'a Registry,
     pub sources: &'a Sources,
     pub program: &'a Program,
+    pub world: &'a expressions::World,
     /// The object whose cell is filled.
     pub owner: Option<ObjectId>,
     pub warnings: Vec<Diagnostic>,
@@ -75,7 +76,9 @@ impl Reader<'_> {
 
     pub fn evaluate(&self, item: &Item) -> Result<Option<Outcome>, Errors> {
         match &item.kind {
-            ItemKind::Expression(e) => evaluation::evaluate(e, self.database, self.sources, self.owner).map(Some),
+            ItemKind::Expression(e) => {
+                evaluation::evaluate(e, self.database, self.sources, self.world, self.owner).map(Some)
+            }
             _ => Ok(None),
         }
     }
@@ -197,7 +200,7 @@ impl Reader<'_> {
                 Ok((smallvec![self.with_unit(field, *value, unit, item.span)?], None, Vec::new()))
             }
             ItemKind::Expression(e) => {
-                let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
+                let outcome = evaluation::evaluate(e, self.database, self.sources, self.world, self.owner)?;
                 if let Value::Text(text) = &outcome.value {
                     // A text in the place of a number is read as an expression itself.
                     let numbers = self.number_text(field, text, item.span)?;
@@ -238,7 +241,7 @@ impl Reader<'_> {
         let parsed = parse_expression(span.file, text, span.start as usize + 1);
         let usable = parsed.1.iter().all(|d| !d.is_error());
         let value = if usable {
-            evaluation::evaluate(&parsed.0, self.database, self.sources, self.owner).ok().map(|o| o.value)
+            evaluation::evaluate(&parsed.0, self.database, self.sources, self.world, self.owner).ok().map(|o| o.value)
         } else {
             None
         };
@@ -301,7 +304,7 @@ impl Reader<'_> {
             ItemKind::Text(text) => Ok(Cow::Borrowed(text)),
             ItemKind::Word | ItemKind::Number { .. } => Ok(Cow::Borrowed(self.word(item.span))),
             ItemKind::Expression(e) => {
-                let outcome = evaluation::evaluate(e, self.database, self.sources, self.owner)?;
+                let outcome = evaluation::evaluate(e, self.database, self.sources, self.world, self.owner)?;
                 Ok(Cow::Owned(text_of(&outcome.value, self.database)))
             }
         }

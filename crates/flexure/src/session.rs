@@ -63,6 +63,7 @@ impl Session {
         let engine = Arc::new(Mutex::new(Engine::default()));
         let mut interpreter = Interpreter::with_host(elements::registry(), Box::new(EngineHost(engine.clone())));
         interpreter.on_error = OnError::IgnoreCommand;
+        interpreter.world.allows_changes = true;
         let persistence = Persistence::of(&interpreter.database);
         Session { interpreter, engine, journal: None, persistence }
     }
@@ -83,8 +84,10 @@ impl Session {
         self.interpreter.most_passes = most;
     }
 
-    /// Whether simulations that commands ask for are left out.
+    /// Whether simulations that commands ask for are left out, and whatever functions of
+    /// expressions would change outside the model: files, folders, the environment.
     pub fn simulate_nothing(&mut self, nothing: bool) {
+        self.interpreter.world.allows_changes = !nothing;
         self.engine().idle = nothing;
     }
 
