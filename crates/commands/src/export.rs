@@ -212,9 +212,14 @@ impl Writer<'_> {
                     self.object(child);
                 }
             }
-            // A ground has no mass and no velocity.
-            if object.class.id != "ground" {
-                for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g)) {
+            for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g)) {
+                if object.class.id == "ground" {
+                    // A ground has no mass and no velocity, but it may be of some material.
+                    let values = self.arguments(id, group, Phase::Create);
+                    if let Some(material) = values.into_iter().find(|(name, _)| name == "material_type") {
+                        self.command(group.command, &[(group.object.to_string(), self.name(id)), material]);
+                    }
+                } else {
                     self.set(id, group);
                 }
             }
@@ -357,6 +362,9 @@ impl Writer<'_> {
     }
 
     fn footer(&mut self, model: ObjectId) {
+        for group in self.database.object(model).class.groups.iter().filter(|g| is_attributes(g)) {
+            self.set(model, group);
+        }
         let name = model::quoted(&self.database.object(model).name);
         self.command("model display", &[("model_name".into(), name)]);
         while self.out.ends_with("!\n") {

@@ -10,6 +10,9 @@ use crate::{
     scope::{Outcome, problem},
 };
 
+/// A program that doubles a text in a loop would take all memory.
+const LONGEST_TEXT: usize = 10_000_000;
+
 pub(crate) fn flag(yes: bool) -> Value {
     Value::Integer(i64::from(yes))
 }
@@ -45,7 +48,14 @@ pub(crate) fn unary(operator: UnaryOperator, value: &Value) -> Outcome<Value> {
 pub(crate) fn binary(operator: BinaryOperator, a: &Value, b: &Value, scope: &Scope) -> Outcome<Value> {
     use BinaryOperator as B;
     match operator {
-        B::Concatenate => Ok(Value::Text(text_of(a, scope)? + &text_of(b, scope)?)),
+        B::Concatenate => {
+            let text = text_of(a, scope)? + &text_of(b, scope)?;
+            if text.len() > LONGEST_TEXT {
+                let what = format!("`//` makes a text of more than {LONGEST_TEXT} bytes");
+                return Err(problem("expression/text-too-long", what));
+            }
+            Ok(Value::Text(text))
+        }
         B::Equal => Ok(flag(equal(a, b, scope)?)),
         B::NotEqual => Ok(flag(!equal(a, b, scope)?)),
         B::Less | B::LessEqual | B::Greater | B::GreaterEqual => {
