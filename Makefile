@@ -60,6 +60,7 @@ bench: build wheel
 
 fuzz:
 	PROPTEST_CASES=20000 $(CARGO) test --workspace --quiet prop
+	PROPTEST_CASES=2000 $(CARGO) test --package flexure --test robust
 
 clean:
 	rm -rf $(OUT) $(VENV) target
