@@ -222,6 +222,10 @@ impl Interpreter {
                 ]),
             };
         }
+        // Classes of objects bear some of these names too; in a macro they mean values.
+        if ["real", "integer", "string", "function", "location", "orientation"].contains(&kind) {
+            return Ok(typed.to_string());
+        }
         let (class, pattern) = match kind.split_once('(') {
             Some((class, pattern)) => (class, pattern.strip_suffix(')')),
             None => (kind, None),
