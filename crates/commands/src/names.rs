@@ -12,7 +12,7 @@ pub struct Names {
     counts: FxHashMap<(Option<ObjectId>, &'static str), u64>,
     /// Objects by solver id.
     ids: FxHashMap<IdKey, ObjectId>,
-    /// The highest solver id by model and statement.
+    /// The highest solver id by model and word of the class: floating markers are counted apart from markers.
     highest: FxHashMap<(Option<ObjectId>, &'static str), i64>,
     ids_known: bool,
 }
@@ -47,7 +47,7 @@ impl Names {
                 as u64
         });
         self.know_ids(database);
-        let highest = self.highest.get(&(scope, class.statement.unwrap_or(class.id)));
+        let highest = self.highest.get(&(scope, class.word));
         let highest = highest.map_or(0, |id| u64::try_from(*id).unwrap_or(0));
         let name = format!("{prefix}{}", count.max(highest) + 1);
         // Another class may use the name below the same parent; that is no clash, but confusing.
@@ -68,7 +68,7 @@ impl Names {
         for other in database.ids() {
             if let Some(n) = database.integer(other, "adams_id").filter(|n| *n != 0) {
                 let key = id_key(database, other, n);
-                let highest = self.highest.entry((key.0, key.1)).or_default();
+                let highest = self.highest.entry((key.0, database.object(other).class.word)).or_default();
                 *highest = n.max(*highest);
                 self.ids.entry(key).or_insert(other);
             }
@@ -83,7 +83,7 @@ impl Names {
         }
         self.know_ids(database);
         let key = id_key(database, id, number);
-        let highest = self.highest.entry((key.0, key.1)).or_default();
+        let highest = self.highest.entry((key.0, database.object(id).class.word)).or_default();
         *highest = number.max(*highest);
         let noted = self.ids.entry(key).or_insert(id);
         let held =

@@ -15,7 +15,7 @@ const STANDARD: &[&str] = &["name", "full_name", "short_name", "parent", "self",
 
 /// Short names of database fields and the command parameters they mean.
 pub(crate) const ALIASES: &[(&str, &str)] =
-    &[("i", "i_marker_name"), ("j", "j_marker_name"), ("ref_marker", "ref_marker_name")];
+    &[("i", "i_marker_name"), ("j", "j_marker_name"), ("ref_marker", "ref_marker_name"), ("ID", "adams_id")];
 
 /// What an attribute name means on an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
