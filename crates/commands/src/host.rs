@@ -67,6 +67,16 @@ impl SimulationRequest {
     }
 }
 
+/// Mass of a body in its own axes, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyMass {
+    pub mass: f64,
+    /// Centre of mass from the body's origin.
+    pub centre: glam::DVec3,
+    /// About the centre of mass.
+    pub inertia: glam::DMat3,
+}
+
 /// What the interpreter cannot do itself.
 pub trait Host: Send {
     fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>>;
@@ -101,6 +111,16 @@ pub trait Host: Send {
     /// goes through the host, so that a session that only looks leaves nothing.
     fn write_file(&mut self, path: &Path, text: &str) -> std::io::Result<()> {
         std::fs::write(path, text)
+    }
+
+    /// What a body weighs, by its own values or by its shapes.
+    fn mass_properties(&self, _database: &Database, _body: ObjectId) -> Result<BodyMass, Vec<Diagnostic>> {
+        Err(vec![unavailable("the mass of a body")])
+    }
+
+    /// Whether commands may write files; a session that only checks leaves them alone.
+    fn may_write(&self) -> bool {
+        true
     }
 
     /// Lines for the information window.

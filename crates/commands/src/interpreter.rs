@@ -49,6 +49,8 @@ pub struct Report {
     pub aborted: bool,
     /// Whether the run was interrupted from outside.
     pub interrupted: bool,
+    /// Whether a command asked for the session to end.
+    pub ended: bool,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -71,6 +73,9 @@ pub(crate) enum Flow {
     /// Leave the file because of an error.
     Abort,
 }
+
+/// Name of the group of what is selected, which every session has.
+pub(crate) const SELECT_LIST: &str = "SELECT_LIST";
 
 /// Files that read each other, and macros that call each other, up to this depth.
 const DEEPEST: usize = 100;
@@ -103,6 +108,11 @@ pub struct Interpreter {
     pub(crate) unmade_solids: Vec<String>,
     /// Skipped commands that are pieces of models, in the order in which they were read.
     pub(crate) kept: Vec<Kept>,
+    /// Kinds of skipped commands in this run: where the warning about each stands in the report, and
+    /// how many there were.
+    pub(crate) skipped_kinds: indexmap::IndexMap<String, (usize, usize)>,
+    /// Files that `file text open` has opened, in that order.
+    pub(crate) text_files: Vec<crate::verbs::text_file::TextFile>,
     pub(crate) undo_blocks: usize,
     pub(crate) suppress_undo: bool,
     /// Whether the statement or block opener at the outermost level of a program was refused.
@@ -134,8 +144,10 @@ impl Interpreter {
         let tree = CommandTree::new(&registry);
         let world = expressions::World::new(false).with_classes(registry.classes.clone());
         let mut database = Database::default();
-        // The library that macros keep their own variables in is there from the start.
-        if database.create(&crate::macros::LIBRARY, None, "mdi").is_ok() {
+        // The library that macros keep their own variables in is there from the start, and so is the
+        // group of what is selected.
+        let select_list = registry.class("group").map_or(Ok(()), |c| database.create(c, None, SELECT_LIST).map(drop));
+        if database.create(&crate::macros::LIBRARY, None, "mdi").is_ok() && select_list.is_ok() {
             database.flush_history();
         }
         Interpreter {
@@ -154,6 +166,8 @@ impl Interpreter {
             unmade: std::collections::HashSet::new(),
             unmade_solids: Vec::new(),
             kept: Vec::new(),
+            skipped_kinds: indexmap::IndexMap::new(),
+            text_files: Vec::new(),
             undo_blocks: 0,
             suppress_undo: false,
             unit_refused: false,
@@ -235,7 +249,13 @@ impl Interpreter {
         if self.undo_blocks == 0 {
             self.database.finish_step();
         }
-        std::mem::take(&mut self.report)
+        let mut report = std::mem::take(&mut self.report);
+        for (kind, (at, count)) in std::mem::take(&mut self.skipped_kinds).into_iter().filter(|(_, (_, n))| *n > 1) {
+            if let Some(warning) = report.diagnostics.get_mut(at) {
+                warning.notes.push(format!("{} more `{kind}` commands are skipped", count - 1));
+            }
+        }
+        report
     }
 
     /// Whether a text ends within a block or a continued command, so that more must be typed.
@@ -287,7 +307,7 @@ impl Interpreter {
         }
         match flow {
             Flow::Abort => {
-                self.report.aborted = true;
+                self.report.aborted |= !self.report.ended;
                 Flow::Abort
             }
             _ => Flow::Next,
@@ -315,7 +335,7 @@ impl Interpreter {
         let count = program.statements.len();
         let mark = self.journal.as_ref().map(Journal::mark);
         let flow = self.run_range(program, blocks, 0, count);
-        let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block;
+        let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block && !self.report.ended;
         if let (Some(journal), Some(mark)) = (&mut self.journal, mark) {
             journal.keep_typed(program, mark, count, refused);
         }

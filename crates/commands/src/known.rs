@@ -4,7 +4,41 @@
 
 /// Keywords that may follow a path; the path is empty for the first word of a command.
 pub const KEYWORDS: &[(&str, &str)] = &[
-    ("executive_control", "set create modify delete"),
+    ("executive_control", "set create modify delete attributes copy"),
+    ("executive_control copy", "sensor"),
+    ("executive_control attributes", "sensor"),
+    ("model", "create modify copy delete display merge verify generate_ids attributes assemble"),
+    ("floating_marker", "create modify delete copy"),
+    ("point", "create modify delete copy attributes"),
+    ("geometry", "create modify delete copy attributes"),
+    ("data_element", "create modify delete copy attributes"),
+    ("measure", "create modify delete copy attributes"),
+    ("material", "create modify delete copy"),
+    ("function", "create modify delete"),
+    ("library", "create modify delete copy"),
+    ("output_control", "set create modify delete copy attributes"),
+    ("output_control copy", "request femdata mrequest"),
+    ("output_control attributes", "request femdata mrequest"),
+    ("output_control create", "request femdata mrequest"),
+    ("output_control modify", "request femdata mrequest"),
+    ("output_control delete", "request femdata mrequest"),
+    (
+        "simulation multi_run",
+        "design_study optimization doe preview_doe read_results plot_measure save set summarize tsf_sweep update",
+    ),
+    ("file binary", "read write"),
+    ("file analysis", "read write"),
+    ("file parasolid", "read write"),
+    ("file request", "read write"),
+    ("file results", "read write"),
+    ("file graphics", "read write"),
+    ("file text", "open write close"),
+    (
+        "numeric_results create",
+        "absolute_value addition definite_integral differentiation division dynamic_polyline empty fft filter \
+         interpolation linear_equation multiplication percent_difference scale spline sqrt_sum_of_squares \
+         subtraction values zero",
+    ),
     ("executive_control create", "sensor"),
     ("executive_control modify", "sensor"),
     (
@@ -48,7 +82,7 @@ pub const KEYWORDS: &[(&str, &str)] = &[
          fly_wheel elastic_body",
     ),
     ("part create rigid_body", "name_and_position mass_properties initial_velocity"),
-    ("marker", "create modify delete copy attributes"),
+    ("marker", "create modify delete copy attributes delete_unused"),
     ("geometry create", "point curve shape feature"),
     (
         "geometry create shape",
@@ -194,6 +228,38 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("help", "see the manual of Flexure"),
     ("measure", "the measure is not recorded"),
     ("language", "only messages of Adams View are concerned"),
+    ("ptemplate", "no curve is drawn; results are unaffected"),
+    ("hotspots", "nothing is drawn; results are unaffected"),
+    ("info_window", "only the display in Adams View is concerned"),
+    ("stereo", "only the display in Adams View is concerned"),
+    ("check_messages", "only messages of Adams View are concerned"),
+    ("time", "only the display in Adams View is concerned"),
+    ("debug", "only the search for faults in Adams View is concerned"),
+    ("assembly", "what the assembly would hold is missing: a simulation of this model differs from Adams"),
+    ("symmetry_relation", "the objects are not tied to each other: changing one leaves the other as it is"),
+    ("runtime_function", "the function is not defined"),
+    ("submit", "no job is started"),
+    ("multi_run_analysis", "no set of runs is made"),
+    ("analysis", "results belong to the files a run writes, not to objects of the session"),
+    ("pause", "the run goes on at once"),
+    ("executive_control set", "the solver uses its own setting"),
+    ("move control_panel", "only dialogs and menus of Adams View are concerned"),
+    ("file log_file", "the log goes on as it was begun"),
+    ("file binary", "binary databases of Adams cannot be read or written; `file command write` writes a model"),
+    ("file analysis", "result files are not read into the session"),
+    ("file request", "result files are not read into the session"),
+    ("file results", "result files are not read into the session"),
+    ("file graphics", "result files are not read into the session"),
+    ("file parasolid", "the solids are missing; masses taken from geometry may be missing"),
+    ("defaults adams_output", "datasets are written in one layout"),
+    ("defaults solver", "`model verify` always says what the solver does not support"),
+    ("simulation single_run set", "runs are not shown while they go on"),
+    ("simulation single_run save", "every run keeps its results under the name of its analysis"),
+    ("simulation single_run statematrix", "the matrices are not computed; `eigensolution` gives the modes"),
+    ("simulation multi_run", "no run is made; a loop of `variable modify` and `simulation` commands does the same"),
+    ("numeric_results write", "no numbers are written; a run writes all of them to its result files"),
+    ("numeric_results read_from_file", "the numbers are missing; a spline may hold them for a simulation"),
+    ("function", "expressions that call the function fail"),
 ];
 
 /// What the absence of a command means, from the longest path that fits.
@@ -203,4 +269,47 @@ pub fn meaning(path: &str) -> &'static str {
         .filter(|(known, _)| path == *known || path.strip_prefix(known).is_some_and(|rest| rest.starts_with(' ')))
         .max_by_key(|(known, _)| known.len())
         .map_or("the command changes nothing", |(_, note)| note)
+}
+
+/// Families of commands that only concern what Adams View shows, or files and results that Flexure
+/// does not have: skipping one means the same as skipping another, so they are named together.
+const ALIKE: &[&str] = &[
+    "view",
+    "interface",
+    "panel",
+    "callback",
+    "xy_plots",
+    "plot3d",
+    "plotcurve3d",
+    "ptemplate",
+    "contour_plot",
+    "hotspots",
+    "animation",
+    "colors",
+    "highlight",
+    "display_attributes",
+    "hardcopy",
+    "report",
+    "measure_display",
+    "graphic_results",
+    "info_window",
+    "stereo",
+    "language",
+    "plugin",
+    "debug",
+    "time",
+    "check_messages",
+    "defaults",
+];
+
+/// The kind under which a skipped command is reported: its family where all of it is alike,
+/// otherwise the command itself.
+pub fn kind(path: &str) -> &str {
+    let family = path.split(' ').next().unwrap_or(path);
+    // Assignments to settings of the display (`.sim_preferences.alert = ...`) by their object.
+    if let Some(name) = path.strip_prefix('.') {
+        let end = name.find(['.', ' ']).map_or(path.len(), |at| at + 1);
+        return &path[..end];
+    }
+    if ALIKE.contains(&family) { family } else { path }
 }

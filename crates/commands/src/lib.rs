@@ -40,10 +40,10 @@ mod words;
 
 pub use complete::{Candidate, Completion};
 pub use export::write_model;
-pub use host::{Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
+pub use host::{BodyMass, Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
 pub use interpreter::{Interpreter, OnError, Report};
 pub use journal::Journal;
 pub use known::meaning;
 pub use number::{angle as angle_text, real as number_text};
-pub use tree::{Action, Command, CommandTree, Parameter, Role};
+pub use tree::{Action, Command, CommandTree, Parameter, Path, Role};
 pub use verbs::solver_commands::{SolverCommand, parse_solver_command};

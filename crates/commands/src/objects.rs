@@ -94,16 +94,6 @@ impl Interpreter {
         Ok((name, typed, span))
     }
 
-    /// A free generated name.
-    pub(crate) fn generate_name(&mut self, class: &'static Class, parent: Option<ObjectId>) -> String {
-        let key = format!("{}_prefix", class.prefix.trim_end_matches('_').to_ascii_lowercase());
-        let prefix = match self.database.settings().words.get(&key) {
-            Some(own) => format!("{}_", own.to_ascii_uppercase()),
-            None => class.prefix.to_string(),
-        };
-        self.names.generate(&self.database, class, parent, &prefix)
-    }
-
     /// Sets cells of existing objects.
     pub(crate) fn modify_objects(&mut self, groups: &[ClassGroup], call: &Call) -> Outcome<()> {
         let (ids, object_name) = self.objects_to_modify(groups, call)?;

@@ -344,9 +344,16 @@ impl Interpreter {
         self.unmade_solids.extend(owner.map(|name| name.to_ascii_lowercase()));
     }
 
-    /// A command that is known but not executed is named, with what that means.
+    /// A command that is known but not executed is named, with what that means: once in a run for
+    /// each kind; how many there were of a kind is added when the run is over.
     pub(crate) fn not_supported(&mut self, path: &str, span: Span) {
         self.report.skipped += 1;
+        let kind = known::kind(path);
+        if let Some((_, count)) = self.skipped_kinds.get_mut(kind) {
+            *count += 1;
+            return;
+        }
+        self.skipped_kinds.insert(kind.to_string(), (self.report.diagnostics.len(), 1));
         self.report.diagnostics.push(
             Diagnostic::warning("command/not-supported", format!("`{path}` is not executed by Flexure"))
                 .at(span, "skipped")

@@ -58,6 +58,27 @@ pub struct Command {
     pub parameters: Arc<[Parameter]>,
 }
 
+impl Command {
+    /// What the command does, in one sentence.
+    pub fn doc(&self) -> &'static str {
+        match &self.action {
+            Action::Create(_, group) | Action::Settings(_, group) => group.doc,
+            Action::Set(groups) => groups.first().map_or("", |(_, group)| group.doc),
+            Action::Verb(entry) => entry.verb.doc,
+            Action::Macro(_) | Action::Unsupported => "",
+        }
+    }
+
+    /// Whether the command is understood with its parameters, but named and skipped when it is met.
+    pub fn is_refused(&self) -> bool {
+        match &self.action {
+            Action::Verb(entry) => entry.is_refused(),
+            Action::Unsupported => true,
+            _ => false,
+        }
+    }
+}
+
 #[derive(Debug, Default)]
 struct Node {
     children: IndexMap<Box<str>, usize, FxBuildHasher>,
@@ -139,7 +160,11 @@ impl CommandTree {
             let plain = |f: &Field| Parameter { name: f.name.into(), role: Role::Field, field: *f };
             let mut parameters: Vec<Parameter> = entry.verb.fields.iter().map(plain).collect();
             if entry.verb.path == "entity attributes" {
-                parameters.extend(attributes.iter().map(plain));
+                for parameter in attributes.iter().map(plain) {
+                    if !parameters.iter().any(|p| p.name == parameter.name) {
+                        parameters.push(parameter);
+                    }
+                }
             }
             tree.add(entry.verb.path, Action::Verb(entry), parameters);
         }

@@ -8,6 +8,7 @@
 //! - `values`: `object.field = value`; numbers to 1e-9 because they are shown rounded.
 //! - `global`: `frame = x, y, z` for the origin, `frame axis = x, y, z` for the direction of an axis.
 //! - `shown`: the information window holds these lines.
+//! - `file_is NAME`: what a command has written to a file.
 //! - `runs`: what was asked of the solver, one run a line.
 
 use std::{
@@ -15,7 +16,7 @@ use std::{
     sync::{Arc, Mutex},
 };
 
-use flexure_commands::{Host, Interpreter, OnError, SimulationRequest};
+use flexure_commands::{BodyMass, Host, Interpreter, OnError, SimulationRequest};
 use model::{Database, ObjectId, Value};
 use text::Diagnostic;
 
@@ -61,6 +62,11 @@ impl Host for Recorder {
         (Vec::new(), Vec::new())
     }
 
+    fn mass_properties(&self, database: &Database, body: ObjectId) -> Result<BodyMass, Vec<Diagnostic>> {
+        let found = elements::bodies::part::lower::mass_properties(database, body)?;
+        Ok(BodyMass { mass: found.mass, centre: found.centre, inertia: found.inertia_c_b })
+    }
+
     fn show(&mut self, lines: &[String]) {
         self.seen.lock().unwrap().shown.extend_from_slice(lines);
     }
@@ -96,6 +102,10 @@ impl Stage {
         let lines = || body.lines().map(str::trim).filter(|l| !l.is_empty());
         if let Some(name) = kind.strip_prefix("file ") {
             return std::fs::write(self.folder.join(name), body).map_err(|e| e.to_string());
+        }
+        if let Some(name) = kind.strip_prefix("file_is ") {
+            let found = std::fs::read_to_string(self.folder.join(name)).map_err(|e| format!("{name}: {e}"))?;
+            return if found == body { Ok(()) } else { Err(format!("{name} holds\n{found}")) };
         }
         match kind {
             "cmd" => self.commands(body),
@@ -253,4 +263,34 @@ fn files_and_runs() {
 #[test]
 fn nothing_is_ignored() {
     run_chapter("nothing_is_ignored");
+}
+
+#[test]
+fn moving() {
+    run_chapter("moving");
+}
+
+#[test]
+fn merging() {
+    run_chapter("merging");
+}
+
+#[test]
+fn groups() {
+    run_chapter("groups");
+}
+
+#[test]
+fn listing() {
+    run_chapter("listing");
+}
+
+#[test]
+fn naming() {
+    run_chapter("naming");
+}
+
+#[test]
+fn session_and_files() {
+    run_chapter("session_and_files");
 }

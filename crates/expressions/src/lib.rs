@@ -28,7 +28,7 @@ pub use bind::{Bound, bind};
 pub use cells::{STRUCTURE, compute, convert_location, convert_orientation, recompute, restructure};
 pub use dimension::{is_rate_of_angle, radians_per_time};
 pub use evaluate::{Evaluated, evaluate};
-pub use functions::{FunctionInfo, functions, refused_functions};
+pub use functions::{FunctionInfo, functions, refused_functions, sprintf};
 pub use names::{find_object, object_of};
 pub use print::{number_text, print};
 pub use scope::Scope;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use commands::{Host, Interpreter, OnError, SimulationRequest};
+use commands::{BodyMass, Host, Interpreter, OnError, SimulationRequest};
 use elements::Finding;
 use model::{Database, ObjectId};
 use results::Polyline;
@@ -412,6 +412,15 @@ impl Host for EngineHost {
 
     fn write_file(&mut self, path: &Path, text: &str) -> io::Result<()> {
         if lock(&self.0).read_only { Ok(()) } else { std::fs::write(path, text) }
+    }
+
+    fn may_write(&self) -> bool {
+        !lock(&self.0).read_only
+    }
+
+    fn mass_properties(&self, database: &Database, body: ObjectId) -> Result<BodyMass, Vec<Diagnostic>> {
+        let found = elements::bodies::part::lower::mass_properties(database, body)?;
+        Ok(BodyMass { mass: found.mass, centre: found.centre, inertia: found.inertia_c_b })
     }
 
     fn show(&mut self, lines: &[String]) {

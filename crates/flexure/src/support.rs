@@ -13,7 +13,7 @@ pub enum State {
     Kept,
     /// Executed.
     Executed,
-    /// Known, not executed, and reported with its line where it occurs.
+    /// Known, not executed, and reported once for each kind in a run.
     NotSupported,
 }
 
@@ -56,6 +56,7 @@ pub fn support() -> Vec<Support> {
                     groups.first().map_or_else(String::new, |(_, group)| group.doc.to_string()),
                 ),
                 Action::Settings(_, group) => (State::Executed, group.doc.to_string()),
+                Action::Verb(_) if command.is_refused() => (State::NotSupported, commands::meaning(&path).to_string()),
                 Action::Verb(entry) => (State::Executed, entry.verb.doc.to_string()),
                 Action::Macro(_) => (State::Executed, "a macro".to_string()),
                 Action::Unsupported => (State::NotSupported, commands::meaning(&path).to_string()),

@@ -127,6 +127,11 @@ impl Database {
         self.history.done.drain(..excess);
     }
 
+    /// How many steps can be undone and redone.
+    pub fn history_depth(&self) -> (usize, usize) {
+        (self.history.done.len(), self.history.undone.len())
+    }
+
     /// Undoes the last step; false if there is none.
     pub fn undo(&mut self) -> bool {
         self.finish_step();

@@ -1,60 +1,17 @@
 //! `defaults ...`: units, frames, current objects and other settings of the session.
 
 use model::{CoordinateSystem, Sequence, Value};
-use schema::{Dimension, Field, Rule, UnitName, Verb};
+use schema::{Count, Dimension, Field, UnitName, Verb};
 use text::Diagnostic;
 
-use super::{VerbEntry, entry};
-use crate::{Interpreter, OnError, call::Call, interpreter::Flow, tree::Role};
+use super::{
+    VerbEntry, entry, name_generation,
+    shared::{self, ANGLES, FORCES, LENGTHS, MASSES, TIMES},
+};
+use crate::{Interpreter, OnError, call::Call, interpreter::Flow, known, tree::Role};
 
 type Outcome = Result<Flow, Vec<Diagnostic>>;
 
-const LENGTHS: &[&str] = &[
-    "mm",
-    "cm",
-    "meter",
-    "km",
-    "inch",
-    "foot",
-    "mile",
-    "micrometer",
-    "nanometer",
-    "angstrom",
-    "microinch",
-    "mils",
-    "yard",
-];
-const FORCES: &[&str] = &[
-    "newton",
-    "knewton",
-    "dyne",
-    "pound_force",
-    "kpound_force",
-    "kg_force",
-    "ounce_force",
-    "millinewton",
-    "centinewton",
-    "poundal",
-    "micronewton",
-    "nanonewton",
-    "meganewton",
-];
-const MASSES: &[&str] = &[
-    "kg",
-    "gram",
-    "pound_mass",
-    "kpound_mass",
-    "slug",
-    "slinch",
-    "ounce_mass",
-    "tonne",
-    "milligram",
-    "microgram",
-    "nanogram",
-    "us_ton",
-];
-const TIMES: &[&str] = &["second", "millisecond", "microsecond", "nanosecond", "minute", "hour", "day"];
-const ANGLES: &[&str] = &["degrees", "radians", "angular_minutes", "angular_seconds", "revolutions"];
 const SEQUENCES: &[&str] = &[
     "body123", "body231", "body312", "body132", "body213", "body321", "body121", "body131", "body212", "body232",
     "body313", "body323", "space123", "space231", "space312", "space132", "space213", "space321", "space121",
@@ -77,6 +34,7 @@ pub const UNITS: VerbEntry = entry(
             Field::choice("orientation_type", SEQUENCES).doc("what three angles mean"),
             Field::real("units_consistency_factor", Dimension::NONE)
                 .doc("factor between force and mass times acceleration"),
+            Field::text("axis_labels").doc("whether axes are named in full"),
         ],
         rules: &[],
         doc: "units and forms in which values are given and shown",
@@ -135,7 +93,7 @@ pub const MODEL: VerbEntry = entry(
             Field::object("model_name", "model").doc("current model"),
             Field::object("part_name", "body").doc("current part"),
             Field::object("point_mass_name", "point_mass").doc("current point mass"),
-            Field::object("flexible_body_name", "body").doc("current flexible body"),
+            Field::object("flexible_body_name", "flexible_body").doc("current flexible body"),
             Field::object("marker_name", "marker").doc("current marker"),
             Field::object("joint_name", "constraint").doc("current joint"),
             Field::object("geometry_name", "geometry").doc("current shape"),
@@ -207,18 +165,31 @@ pub const ATTRIBUTES: VerbEntry = entry(
             Field::choice("inheritance", &["top_down", "bottom_up"]).doc("whose attribute counts"),
             Field::choice("icon_visibility", SWITCH).doc("whether icons are drawn"),
             Field::choice("grid_visibility", SWITCH).doc("whether the grid is drawn"),
-            Field::real("scale_of_icons", Dimension::NONE).doc("size of icons as a factor"),
             Field::real("size_of_icons", Dimension::LENGTH).doc("size of icons"),
             Field::real("spacing_for_grid", Dimension::LENGTH).doc("distance of grid lines"),
-            Field::text("color").doc("colour"),
-            Field::choice("visibility", SWITCH).doc("whether objects are drawn"),
-            Field::choice("name_visibility", SWITCH).doc("whether names are drawn"),
-            Field::integer("transparency").doc("how much shines through, 0 to 100"),
-            Field::integer("lod").doc("level of detail, 0 to 100"),
-            Field::choice("line_type", &["solid", "dash", "dotdash", "dot", "none"]).doc("pattern of lines"),
-            Field::real("line_thickness", Dimension::NONE).doc("width of lines"),
+            Field::choice("endcap_visibility", SWITCH).doc("whether ends of shapes are closed"),
+            Field::new("screen_font", schema::Kind::File).doc("font on the screen"),
+            Field::choice(
+                "postscript_font",
+                &[
+                    "times_roman",
+                    "helvetica",
+                    "courier",
+                    "times_bold",
+                    "times_italic",
+                    "times_bolditalic",
+                    "helvetica_bold",
+                    "helvetica_oblique",
+                    "helvetica_boldoblique",
+                    "courier_bold",
+                    "courier_oblique",
+                    "courier_boldoblique",
+                ],
+            )
+            .doc("font on paper"),
+            Field::real("dimming_factor", Dimension::NONE).doc("how much objects that are not meant fade"),
         ],
-        rules: &[Rule::AtMostOne(&["scale_of_icons", "size_of_icons"])],
+        rules: &[],
         doc: "how objects look unless they say otherwise",
     },
     keep_words,
@@ -249,32 +220,61 @@ fn command_file(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     keep_words(interpreter, call)
 }
 
-const fn prefixes(path: &'static str, fields: &'static [Field]) -> VerbEntry {
-    entry(Verb { path, fields, rules: &[], doc: "prefixes of generated names" }, keep_words)
-}
-
-const fn prefix(name: &'static str) -> Field {
-    Field::text(name).doc("what generated names begin with")
-}
-
-pub const NAME_MARKER: VerbEntry =
-    prefixes("defaults name_generation marker", &[prefix("marker_prefix"), prefix("fmarker_prefix")]);
-pub const NAME_PART: VerbEntry =
-    prefixes("defaults name_generation part", &[prefix("part_prefix"), prefix("point_mass_prefix")]);
-pub const NAME_FORCE: VerbEntry = prefixes(
-    "defaults name_generation force",
-    &[prefix("beam_prefix"), prefix("sforce_prefix"), prefix("bushing_prefix"), prefix("spring_prefix")],
+pub const SOLVER: VerbEntry = entry(
+    Verb {
+        path: "defaults solver",
+        fields: &[Field::on_off("compatibility_checking").doc("check what the solver supports before a run")],
+        rules: &[],
+        doc: "how models are checked for the solver",
+    },
+    noted,
 );
-pub const NAME_CONSTRAINT: VerbEntry =
-    prefixes("defaults name_generation constraint", &[prefix("joint_prefix"), prefix("motion_prefix")]);
-pub const NAME_GEOMETRY: VerbEntry = prefixes(
-    "defaults name_generation geometry",
-    &[prefix("block_prefix"), prefix("cylinder_prefix"), prefix("link_prefix"), prefix("ellipsoid_prefix")],
+
+pub const ADAMS_OUTPUT: VerbEntry = entry(
+    Verb {
+        path: "defaults adams_output",
+        fields: &[
+            Field::choice(
+                "statement_order",
+                &[
+                    "markers_with_parts",
+                    "markers_where_used",
+                    "submodels_and_adamsid",
+                    "submodels_and_objname",
+                    "as_found_in_file",
+                ],
+            )
+            .doc("order of statements in datasets"),
+            Field::choice("arguments_per_line", &["single", "multiple"]).doc("one or more arguments a line"),
+            Field::choice("text_case", &["upper", "lower", "mixed"]).doc("case of words"),
+            Field::integer("indent_spaces").doc("spaces before continued lines"),
+            Field::on_off("write_default_values").doc("also write arguments that have their default"),
+            Field::integer("scientific_notation")
+                .count(Count::exactly(2))
+                .doc("powers of ten outside of which an exponent is written"),
+            Field::on_off("trailing_zeros").doc("keep zeros at the end of decimals"),
+            Field::integer("decimal_places").doc("decimals"),
+            Field::real("zero_threshold", Dimension::NONE).doc("smaller numbers are written as 0"),
+            Field::on_off("round_off").doc("round the last digit"),
+            Field::integer("significant_figures").doc("digits"),
+            Field::on_off("active_only").doc("leave inactive objects out"),
+            Field::on_off("export_all_graphics").doc("write shapes the solver does not need"),
+        ],
+        rules: &[],
+        doc: "how datasets are laid out",
+    },
+    noted,
 );
-pub const NAME_MODEL: VerbEntry = prefixes("defaults name_generation model", &[prefix("model_prefix")]);
+
+/// Keeps settings that change nothing in Flexure, and says so.
+fn noted(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    let flow = keep_words(interpreter, call)?;
+    shared::without_effect(interpreter, call, known::meaning(&call.path));
+    Ok(flow)
+}
 
 /// Keeps settings as they were given, by parameter.
-fn keep_words(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+pub fn keep_words(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     for (parameter, argument) in call.all() {
         debug_assert_eq!(parameter.role, Role::Field);
         let field = parameter.field;
@@ -289,7 +289,7 @@ fn keep_words(interpreter: &mut Interpreter, call: &Call) -> Outcome {
             other => crate::values::text_of(other, &interpreter.database),
         };
         interpreter.database.change_settings(|s| {
-            s.words.insert(field.name.to_string(), text);
+            s.words.insert(name_generation::key(&call.path, field.name), text);
         });
     }
     Ok(Flow::Next)

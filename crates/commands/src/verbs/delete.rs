@@ -1,57 +1,89 @@
 //! `* delete`: objects go away with everything below them, unless something else refers to them.
 
-use schema::{Field, Verb};
+use model::ObjectId;
+use schema::{Field, Rule, Verb};
 use text::Diagnostic;
 
-use super::{VerbEntry, entry};
+use super::{
+    VerbEntry, entry,
+    shared::{self, Outcome},
+};
 use crate::{Interpreter, call::Call, interpreter::Flow};
 
 const fn verb(path: &'static str, fields: &'static [Field]) -> VerbEntry {
-    entry(Verb { path, fields, rules: &[], doc: "deletes objects" }, delete)
+    entry(Verb { path, fields, rules: &[], doc: "deletes objects and all that belongs to them" }, delete)
 }
 
 const fn of(name: &'static str, class: &'static str) -> Field {
     Field::objects(name, class).doc("objects to delete; patterns are allowed")
 }
 
-pub const MODEL: VerbEntry = verb("model delete", &[of("model_name", "model")]);
-pub const PART: VerbEntry = verb("part delete", &[of("part_name", "body"), of("point_mass_name", "point_mass")]);
+const PARTS: &[&str] = &[
+    "part_name",
+    "flexible_body_name",
+    "external_system_name",
+    "point_mass_name",
+    "equation_name",
+    "rigid_stress_name",
+    "fe_part_name",
+    "fe_node_name",
+];
+
+pub const MODEL: VerbEntry = entry(
+    Verb {
+        path: "model delete",
+        fields: &[of("model_name", "model"), of("analysis_name", "analysis")],
+        rules: &[Rule::AtMostOne(&["model_name", "analysis_name"])],
+        doc: "deletes models with everything in them",
+    },
+    delete,
+);
+pub const PART: VerbEntry = entry(
+    Verb {
+        path: "part delete",
+        fields: &[
+            of("part_name", "body"),
+            of("flexible_body_name", "flexible_body"),
+            of("external_system_name", "external_system"),
+            of("point_mass_name", "point_mass"),
+            of("equation_name", "equation"),
+            of("rigid_stress_name", "rigid_stress"),
+            of("fe_part_name", "fe_part"),
+            of("fe_node_name", "fe_node"),
+        ],
+        rules: &[Rule::AtMostOne(PARTS)],
+        doc: "deletes bodies with their markers and shapes",
+    },
+    delete,
+);
 pub const MARKER: VerbEntry = verb("marker delete", &[of("marker_name", "marker")]);
+pub const FLOATING_MARKER: VerbEntry = verb("floating_marker delete", &[of("floating_marker_name", "floating_marker")]);
 pub const POINT: VerbEntry = verb("point delete", &[of("point_name", "point")]);
 pub const GEOMETRY: VerbEntry = verb("geometry delete", &[of("geometry_name", "geometry")]);
 pub const CONSTRAINT: VerbEntry = verb("constraint delete", &[of("constraint_name", "constraint")]);
 pub const FORCE: VerbEntry = verb("force delete", &[of("force_name", "force")]);
+pub const CONTACT: VerbEntry = verb("contact delete", &[of("contact_name", "contact")]);
 pub const DATA_ELEMENT: VerbEntry = verb("data_element delete", &[of("data_element_name", "data_element")]);
 pub const MEASURE: VerbEntry = verb("measure delete", &[of("measure_name", "measure")]);
 pub const REQUEST: VerbEntry = verb("output_control delete request", &[of("request_name", "request")]);
+pub const SENSOR: VerbEntry = verb("executive_control delete sensor", &[of("sensor_name", "sensor")]);
 pub const MATERIAL: VerbEntry = verb("material delete", &[of("material_name", "material")]);
 pub const VARIABLE: VerbEntry = verb("variable delete", &[of("variable_name", "variable")]);
 pub const GROUP: VerbEntry = verb("group delete", &[of("group_name", "group")]);
 pub const MACRO: VerbEntry = verb("macro delete", &[of("macro_name", "macro")]);
 pub const SCRIPT: VerbEntry = verb("simulation script delete", &[of("sim_script_name", "script")]);
 pub const ANALYSIS: VerbEntry = verb("analysis delete", &[of("analysis_name", "analysis")]);
-pub const ENTITY: VerbEntry = verb(
-    "entity delete",
-    &[of("entity_name", "any"), Field::text("type_filter").doc("take only objects of this type")],
-);
+pub const ENTITY: VerbEntry = verb("entity delete", &[of("entity_name", "any"), shared::TYPE_FILTER]);
 
-fn delete(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
+fn delete(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let Some(first) = call.parameters.first().map(|p| p.name.clone()) else { return Ok(Flow::Next) };
     let mut chosen = Vec::new();
-    for (parameter, argument) in call.all() {
+    for (parameter, argument) in call.objects() {
         let field = parameter.field;
-        if field.name != "type_filter" {
-            chosen.extend(interpreter.read_value(call, &field, argument, None)?.value.objects());
-        }
+        chosen.extend(interpreter.read_value(call, &field, argument, None)?.value.objects());
     }
-    if let Some(wanted) = interpreter.word_of(call, "type_filter")? {
-        let wanted = wanted.to_ascii_lowercase();
-        chosen.retain(|id| {
-            let class = interpreter.database.object(*id).class;
-            class.is(&wanted) || class.word.eq_ignore_ascii_case(&wanted)
-        });
-    }
-    if call.given.is_empty() {
+    shared::filter_by_type(interpreter, call, &mut chosen)?;
+    if call.objects().next().is_none() {
         return Err(vec![call.missing(&[&first])]);
     }
     interpreter.delete_objects(&chosen, call)?;
@@ -60,20 +92,23 @@ fn delete(interpreter: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagno
 
 impl Interpreter {
     /// Deletes objects and all below them; refused, with their names, while others refer to them.
-    pub(crate) fn delete_objects(&mut self, chosen: &[model::ObjectId], call: &Call) -> Result<(), Vec<Diagnostic>> {
+    pub(crate) fn delete_objects(&mut self, chosen: &[ObjectId], call: &Call) -> Outcome<()> {
         let mut gone = Vec::new();
         for &id in chosen {
             let object = self.database.object(id);
-            if object.class.id == "ground" && !chosen.iter().any(|c| Some(*c) == object.parent) {
+            let ground = object.class.id == "ground" && !chosen.iter().any(|c| Some(*c) == object.parent);
+            if ground || self.is_built_in(id) {
+                let what = if ground { "the ground of a model" } else { "what belongs to every session" };
                 return Err(vec![
-                    Diagnostic::error("name/permanent", "the ground of a model cannot be deleted")
-                        .at(call.span, "delete the model instead"),
+                    Diagnostic::error("name/permanent", format!("{what} cannot be deleted"))
+                        .at(call.span, format!("`{}` stays", self.database.full_name(id)))
+                        .help(if ground { "delete the model instead" } else { "choose objects of a model" }),
                 ]);
             }
             gone.extend(self.database.subtree(id));
         }
         let dependents = self.dependents_of(&gone);
-        // A group does not keep its members alive; the settings of a model go with it.
+        // A group does not keep its members alive.
         let (groups, others): (Vec<_>, Vec<_>) =
             dependents.into_iter().partition(|d| self.database.object(*d).class.id == "group");
         if !others.is_empty() {
@@ -92,8 +127,7 @@ impl Interpreter {
             ]);
         }
         for group in groups {
-            let members = self.database.value(group, "objects_in_group").map(model::Value::objects).unwrap_or_default();
-            let rest = members.into_iter().filter(|m| !gone.contains(m)).collect();
+            let rest = shared::members(&self.database, group).into_iter().filter(|m| !gone.contains(m)).collect();
             self.database.set_value(group, "objects_in_group", model::Value::Objects(rest));
         }
         if self.database.settings().default_frame.is_some_and(|f| gone.contains(&f)) {
@@ -106,5 +140,13 @@ impl Interpreter {
         }
         self.names.forget();
         Ok(())
+    }
+
+    /// Whether an object is there from the start of a session.
+    pub(crate) fn is_built_in(&self, id: ObjectId) -> bool {
+        let object = self.database.object(id);
+        object.parent.is_none()
+            && (object.class.id == "group" && object.name == crate::interpreter::SELECT_LIST
+                || object.class.id == "library" && object.name == "mdi")
     }
 }

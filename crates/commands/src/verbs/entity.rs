@@ -4,7 +4,7 @@ use model::CellKey;
 use schema::{Field, Kind, Names, Verb};
 use text::Diagnostic;
 
-use super::{VerbEntry, entry};
+use super::{VerbEntry, entry, shared};
 use crate::{Interpreter, call::Call, interpreter::Flow};
 
 type Outcome = Result<Flow, Vec<Diagnostic>>;
@@ -13,7 +13,7 @@ pub const MODIFY: VerbEntry = entry(
     Verb {
         path: "entity modify",
         fields: &[
-            Field::object("entity_name", "any").doc("object"),
+            Field::object("entity_name", "any").current().doc("object"),
             Field::new("new_entity_name", Kind::Object(Names::New, "any")).doc("new name"),
             Field::integer("adams_id").doc("number in the solver's files"),
             Field::texts("comments").doc("lines kept with the object"),
@@ -25,7 +25,8 @@ pub const MODIFY: VerbEntry = entry(
 );
 
 fn modify(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    let Some(id) = interpreter.object_argument(call, "entity_name")? else {
+    let named = interpreter.object_argument(call, "entity_name")?;
+    let Some(id) = named.or_else(|| interpreter.database.current("any")) else {
         return Err(vec![call.missing(&["entity_name"])]);
     };
     set_known_cells(interpreter, call, id, &["adams_id", "comments"])?;
@@ -41,7 +42,9 @@ pub const ATTRIBUTES: VerbEntry = entry(
         path: "entity attributes",
         fields: &[
             Field::objects("entity_name", "any").doc("objects; patterns are allowed"),
-            Field::text("type_filter").doc("take only objects of this type"),
+            shared::TYPE_FILTER,
+            Field::integer("expr_visibility").doc("number or expression that shows or hides objects"),
+            Field::integer("expr_active").doc("number or expression that switches objects on or off"),
         ],
         rules: &[],
         doc: "how objects look and whether they take part in simulations",
@@ -54,13 +57,7 @@ fn attributes(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     if call.argument("entity_name").is_none() {
         return Err(vec![call.missing(&["entity_name"])]);
     }
-    if let Some(wanted) = interpreter.word_of(call, "type_filter")? {
-        let wanted = wanted.to_ascii_lowercase();
-        ids.retain(|id| {
-            let class = interpreter.database.object(*id).class;
-            class.is(&wanted) || class.word.eq_ignore_ascii_case(&wanted)
-        });
-    }
+    shared::filter_by_type(interpreter, call, &mut ids)?;
     for id in ids {
         let class = interpreter.database.object(id).class;
         let mut foreign = Vec::new();

@@ -3,12 +3,10 @@
 use schema::{Field, Verb};
 use text::Diagnostic;
 
-use super::{VerbEntry, entry};
+use super::{VerbEntry, entry, shared::MODEL};
 use crate::{Interpreter, call::Call, interpreter::Flow};
 
 type Outcome = Result<Flow, Vec<Diagnostic>>;
-
-const MODEL: Field = Field::object("model_name", "model").current().doc("model");
 
 pub const DISPLAY: VerbEntry = entry(
     Verb {
@@ -16,7 +14,7 @@ pub const DISPLAY: VerbEntry = entry(
         fields: &[
             MODEL,
             Field::texts("view_name").doc("views that show the model"),
-            Field::yes_no("fit_to_view").doc("zoom so that the model fills the view"),
+            Field::yes_no("fit_to_view").default_word("yes").doc("zoom so that the model fills the view"),
         ],
         rules: &[],
         doc: "makes a model the current one and shows it",
@@ -35,8 +33,8 @@ pub const VERIFY: VerbEntry = entry(
         path: "model verify",
         fields: &[
             MODEL,
-            Field::yes_no("check_solver_compatibility").doc("also check what the solver supports"),
-            Field::on_off("write_to_terminal").doc("show the report"),
+            Field::yes_no("check_solver_compatibility").default_word("no").doc("also check what the solver supports"),
+            Field::on_off("write_to_terminal").default_word("on").doc("show the report"),
             Field::text("file_name").doc("file for the report"),
         ],
         rules: &[],
@@ -61,8 +59,8 @@ pub const GENERATE_IDS: VerbEntry = entry(
     Verb {
         path: "model generate_ids",
         fields: &[
-            Field::objects("model_names", "model").doc("models"),
-            Field::yes_no("zero_ids").doc("set numbers to 0 instead"),
+            Field::objects("model_names", "model").current().doc("models"),
+            Field::yes_no("zero_ids").default_word("no").doc("set numbers to 0 instead"),
         ],
         rules: &[],
         doc: "gives every object without a number one",

@@ -6,13 +6,11 @@ use text::Diagnostic;
 
 use super::{
     VerbEntry, entry,
+    shared::{MODEL, Outcome},
     solver_commands::{SolverCommand, parse_solver_command},
 };
 use crate::{Interpreter, OutputTimes, SimulationKind, SimulationRequest, call::Call, interpreter::Flow};
 
-type Outcome<T> = Result<T, Vec<Diagnostic>>;
-
-const MODEL: Field = Field::object("model_name", "model").current().doc("model");
 const TYPES: &[&str] = &["dynamic", "kinematic", "static", "auto_select"];
 
 const fn verb(path: &'static str, fields: &'static [Field], run: super::Run, doc: &'static str) -> VerbEntry {
@@ -84,11 +82,12 @@ pub const ASSEMBLE: VerbEntry =
 
 const EIGEN_FIELDS: &[Field] = &[
     MODEL,
-    Field::text("eigen_name").doc("name of the solution"),
-    Field::yes_no("original").doc("use the original algorithm"),
-    Field::yes_no("damping").doc("include damping"),
-    Field::yes_no("vectors").doc("also compute shapes"),
+    Field::object("plant_state_name", "plant_state").doc("states that the solution is reduced to"),
     Field::object("reference_marker", "marker").doc("marker in which shapes are given"),
+    Field::text("eigen_name").doc("name of the solution"),
+    Field::yes_no("original").default_word("yes").doc("use the original algorithm"),
+    Field::yes_no("damping").default_word("yes").doc("include damping"),
+    Field::yes_no("vectors").default_word("yes").doc("also compute shapes"),
 ];
 pub const EIGEN: VerbEntry =
     verb("simulation single_run eigensolution", EIGEN_FIELDS, eigen, "finds linear modes about the present state");

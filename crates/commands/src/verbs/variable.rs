@@ -20,8 +20,10 @@ const fn fields(name: Field) -> [Field; 13] {
         Field::text("units").doc("kind of quantity of the value"),
         Field::real("range", Dimension::NONE).count(Count::exactly(2)).doc("lower and upper limit"),
         Field::real("allowed_values", Dimension::NONE).many().doc("values to choose from"),
-        Field::choice("delta_type", &["absolute", "relative", "percent_relative"]).doc("how the range counts"),
-        Field::yes_no("use_range").doc("the range is enforced"),
+        Field::choice("delta_type", &["absolute", "relative", "percent_relative"])
+            .default_word("absolute")
+            .doc("whether the range is absolute, added to the value, or percents of it"),
+        Field::yes_no("use_range").doc("the range holds"),
         Field::yes_no("use_allowed_values").doc("only allowed values are taken"),
         Field::integer("integer_value").many().doc("integer values"),
         Field::texts("string_value").doc("texts"),
@@ -183,7 +185,79 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
         interpreter.store(key, draft);
         changed.push(key);
     }
-    interpreter.recompute(&changed, call.span)
+    interpreter.recompute(&changed, call.span)?;
+    warn_outside(interpreter, id, call);
+    Ok(())
+}
+
+/// The lowest and highest value a design variable may take, as its range counts.
+pub fn limits(database: &model::Database, id: ObjectId) -> Option<(f64, f64)> {
+    let range = database.numbers(id, "range")?;
+    let &[low, high] = range.as_slice() else { return None };
+    let value = database.number(id, "real_value").or_else(|| database.number(id, "integer_value")).unwrap_or(0.0);
+    Some(match database.text(id, "delta_type") {
+        Some("relative") => (value + low, value + high),
+        Some("percent_relative") => (value * (1.0 + low / 100.0), value * (1.0 + high / 100.0)),
+        _ => (low, high),
+    })
+}
+
+/// Says that a value is outside of what its variable allows; the value is stored.
+fn warn_outside(interpreter: &mut Interpreter, id: ObjectId, call: &Call) {
+    let database = &interpreter.database;
+    let values = database.numbers(id, "real_value").or_else(|| database.numbers(id, "integer_value"));
+    let Some(values) =
+        values.filter(|_| VALUES.iter().any(|v| call.given.iter().any(|g| &*call.parameters[g.parameter].name == *v)))
+    else {
+        return;
+    };
+    let name = database.full_name(id);
+    let mut troubles = Vec::new();
+    // Relative limits move with the value and always hold.
+    let absolute = matches!(database.text(id, "delta_type"), None | Some("absolute"));
+    if database.flag(id, "use_range") == Some(true)
+        && absolute
+        && let Some((low, high)) = limits(database, id)
+        && let Some(x) = values.iter().find(|x| **x < low.min(high) || **x > low.max(high))
+    {
+        troubles.push(format!("`{name}` is {x}; its range is {low} to {high}"));
+    }
+    if database.flag(id, "use_allowed_values") == Some(true)
+        && let Some(allowed) = database.numbers(id, "allowed_values")
+        && let Some(x) = values.iter().find(|x| !allowed.iter().any(|a| (a - **x).abs() <= 1e-12 * a.abs()))
+    {
+        let list = allowed.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+        troubles.push(format!("`{name}` is {x}; its allowed values are {list}"));
+    }
+    for trouble in troubles {
+        interpreter.report.diagnostics.push(
+            Diagnostic::warning("value/outside-limit", trouble)
+                .at(call.span, "stored all the same")
+                .help("give another value, or switch the limit off with `use_range = no` or `use_allowed_values = no`"),
+        );
+    }
+}
+
+impl Interpreter {
+    /// Gives a variable a text as its value.
+    pub(crate) fn set_variable_text(&mut self, id: ObjectId, text: String, call: &Call) -> Outcome<()> {
+        let class = self.database.object(id).class;
+        let mut changed = Vec::new();
+        for name in VALUES {
+            let Some(cell) = class.cell_index(name) else { continue };
+            let key = CellKey::new(id, cell);
+            if name == "string_value" {
+                self.store(key, Draft::literal(Value::Text(text.clone())));
+            } else if self.database.object(id).cells[cell].is_some() {
+                self.database.set_reads(key, Vec::new());
+                self.database.set_cell(key, None);
+            } else {
+                continue;
+            }
+            changed.push(key);
+        }
+        self.recompute(&changed, call.span)
+    }
 }
 
 /// A list of one is the value itself.

@@ -38,6 +38,7 @@ mod units;
 mod unsupported;
 
 pub(crate) use database::short_name;
+pub use print_format::sprintf;
 
 /// One function of the expression language.
 pub(crate) struct Function {

@@ -1,7 +1,10 @@
 //! The formats of C's printf, as STR_SPRINTF takes them.
 
 /// Fills a format with values. Numbers arrive as the shortest text that reads back.
-pub(crate) fn sprintf(format: &str, values: &[String]) -> Result<String, String> {
+///
+/// # Errors
+/// What of the format does not fit the values.
+pub fn sprintf(format: &str, values: &[String]) -> Result<String, String> {
     let mut out = String::new();
     let mut values = values.iter();
     let mut characters = format.chars().peekable();
