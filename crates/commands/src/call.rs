@@ -238,11 +238,10 @@ fn unknown_argument(path: &str, parameters: &[Parameter], typed: &str, span: Spa
         .at(span, "unknown parameter")
         .adams(format!("'{typed}' is not a valid parameter."));
     match did_you_mean(error, parameters.iter().map(|p| &*p.name), typed, span, str::to_string) {
-        Ok(error) => error,
         Err(error) if parameters.len() <= 30 && !parameters.is_empty() => {
             let names: Vec<&str> = parameters.iter().map(|p| &*p.name).collect();
             error.note(format!("its parameters are {}", names.join(", ")))
         }
-        Err(error) => error,
+        Ok(error) | Err(error) => error,
     }
 }

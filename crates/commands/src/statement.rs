@@ -442,10 +442,9 @@ fn unknown_keyword(word: &str, span: Span, before: &[&str], near: &[String]) -> 
         .adams("the keyword or you may be missing a continuation character(&)")
         .adams("on the previous line.");
     match did_you_mean(error, near.iter().map(String::as_str), word, span, str::to_string) {
-        Ok(error) => error,
         Err(error) if !before.is_empty() && near.len() <= 30 => {
             error.note(format!("what may follow is {}", near.join(", ")))
         }
-        Err(error) => error,
+        Ok(error) | Err(error) => error,
     }
 }

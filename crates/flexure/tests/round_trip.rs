@@ -92,7 +92,7 @@ fn values(text: &str, items: &[Item]) -> String {
         match &item.kind {
             // Adams writes ten to thirteen digits.
             ItemKind::Number { value, unit } => {
-                write!(out, "{:.9e}{} ", value + 0.0, unit.as_deref().unwrap_or("")).unwrap()
+                write!(out, "{:.9e}{} ", value + 0.0, unit.as_deref().unwrap_or("")).unwrap();
             }
             _ => write!(out, "{} ", text[item.span.range()].split_whitespace().collect::<Vec<_>>().join(" ")).unwrap(),
         }

@@ -168,7 +168,10 @@ fn results(diff: &Diff) -> Outcome {
     if equal { Outcome::Fine } else { Outcome::Findings }
 }
 
-fn table_of(rows: Vec<(String, Option<(f64, f64)>, Option<f64>)>) -> Table {
+/// A series: its name, its largest difference with the time of it, and that relative to its size.
+type Row = (String, Option<(f64, f64)>, Option<f64>);
+
+fn table_of(rows: Vec<Row>) -> Table {
     let mut table = Table::new();
     table.load_preset(presets::ASCII_BORDERS_ONLY_CONDENSED);
     table.set_header(["series", "largest difference", "at time (s)", "relative"]);

@@ -111,8 +111,8 @@ impl<'a> Parser<'a> {
                     return StatementKind::Assignment { target: word, values };
                 }
                 let above = self.above.filter(|end| {
-                    let between = &self.cursor.bytes[*end..start];
-                    between.iter().filter(|b| **b == b'\n').count() == 1 && !between.contains(&b'&')
+                    let between = &self.cursor.text[*end..start];
+                    between.matches('\n').count() == 1 && !between.contains('&')
                 });
                 let above = above.map(|end| self.span(end, end));
                 self.diagnostics.push(missing_keyword(word, text, above));
