@@ -94,6 +94,7 @@ impl Session {
     /// Whether commands leave everything outside of the session alone: nothing is simulated and no
     /// file is written.
     pub fn touch_nothing(&mut self, nothing: bool) {
+        self.interpreter.world.allows_changes = !nothing;
         let mut engine = self.engine();
         engine.idle = nothing;
         engine.read_only = nothing;
