@@ -237,9 +237,7 @@ impl Interpreter {
             let parent = place.parent.map(|p| self.database.full_name(p)).unwrap_or_default();
             return Ok(format!("{parent}.{}", quoted(&place.name)));
         }
-        // Types of values come before classes of the same name.
-        const VALUES: [&str; 6] = ["real", "integer", "string", "function", "location", "orientation"];
-        let known = !VALUES.contains(&class) && self.registry.classes.iter().any(|c| c.is(class));
+        let known = self.registry.classes.iter().any(|c| c.is(class));
         if !known {
             return Ok(typed.to_string());
         }

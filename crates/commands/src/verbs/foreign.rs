@@ -160,6 +160,7 @@ pub const PARASOLID_WRITE: VerbEntry = verb(
     "writes solids for other programs",
 );
 
+#[allow(clippy::unnecessary_wraps)] // the signature of all verbs
 fn parasolid_read(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     // The names of the solids stand in their file only: commands on them are excused later.
     let owner = match call.argument("model_name").or_else(|| call.argument("part_name")) {

@@ -171,8 +171,10 @@ fn text_of(interpreter: &Interpreter, id: model::ObjectId) -> String {
         ("HELP_STRING", database.text(id, "help_string").unwrap_or_default()),
         ("CREATE_PANEL", yes_no("create_panel", false)),
     ];
-    let mut text: String =
-        headers.iter().filter(|(_, value)| !value.is_empty()).map(|(key, value)| format!("!{key} {value}\n")).collect();
+    let mut text = String::new();
+    for (key, value) in headers.iter().filter(|(_, value)| !value.is_empty()) {
+        text.push_str(&["!", key, " ", value, "\n"].concat());
+    }
     // A macro that was read from a file holds the headers of that file; those above say what holds now.
     let is_header = |line: &str| {
         let word = line.trim().strip_prefix('!').and_then(|h| h.split_whitespace().next());

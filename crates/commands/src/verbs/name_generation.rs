@@ -134,9 +134,7 @@ fn parameter(class: &Class) -> Option<String> {
         ["constraint", _, "motion_generator"] => "motion",
         ["constraint", _, "user_defined"] => "user_constraint",
         ["data_element", _, kind, ..] => *kind,
-        ["geometry", ..] | ["force", ..] | ["constraint", ..] | ["part", ..] | ["executive_control", _, "sensor"] => {
-            last
-        }
+        ["geometry" | "force" | "constraint" | "part", ..] | ["executive_control", _, "sensor"] => last,
         _ => return None,
     };
     Some(format!("{kind}_prefix"))

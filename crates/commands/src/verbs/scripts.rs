@@ -87,17 +87,14 @@ fn write_acf(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let lines = match interpreter.database.value(id, "solver_commands") {
         Some(Value::Texts(lines)) if !lines.is_empty() => lines.clone(),
         Some(Value::Text(line)) => vec![line.clone()],
-        _ => match simple_run(interpreter, id) {
-            Some(lines) => lines,
-            None => {
-                let name = interpreter.database.full_name(id);
-                return Err(vec![
-                    Diagnostic::error("simulation/no-solver-commands", format!("`{name}` holds no solver commands"))
-                        .at(call.span, "it runs commands of Adams View")
-                        .help("give the script `solver_commands`"),
-                ]);
-            }
-        },
+        _ => simple_run(interpreter, id).ok_or_else(|| {
+            let name = interpreter.database.full_name(id);
+            vec![
+                Diagnostic::error("simulation/no-solver-commands", format!("`{name}` holds no solver commands"))
+                    .at(call.span, "it runs commands of Adams View")
+                    .help("give the script `solver_commands`"),
+            ]
+        })?,
     };
     let name = match call.argument("file_name") {
         Some(argument) => interpreter.text_argument_plain(call, argument)?,

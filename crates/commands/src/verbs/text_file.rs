@@ -115,7 +115,7 @@ fn write(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     })?;
     let newline = interpreter.flag_argument(call, "newline")? != Some(false);
     if let Some(variable) = interpreter.object_argument(call, "variable_name")? {
-        interpreter.set_variable_text(variable, text, call)?;
+        interpreter.set_variable_text(variable, &text, call)?;
         return Ok(Flow::Next);
     }
     if newline {

@@ -240,14 +240,14 @@ fn warn_outside(interpreter: &mut Interpreter, id: ObjectId, call: &Call) {
 
 impl Interpreter {
     /// Gives a variable a text as its value.
-    pub(crate) fn set_variable_text(&mut self, id: ObjectId, text: String, call: &Call) -> Outcome<()> {
+    pub(crate) fn set_variable_text(&mut self, id: ObjectId, text: &str, call: &Call) -> Outcome<()> {
         let class = self.database.object(id).class;
         let mut changed = Vec::new();
         for name in VALUES {
             let Some(cell) = class.cell_index(name) else { continue };
             let key = CellKey::new(id, cell);
             if name == "string_value" {
-                self.store(key, Draft::literal(Value::Text(text.clone())));
+                self.store(key, Draft::literal(Value::Text(text.to_string())));
             } else if self.database.object(id).cells[cell].is_some() {
                 self.database.set_reads(key, Vec::new());
                 self.database.set_cell(key, None);
