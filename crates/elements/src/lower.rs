@@ -24,6 +24,8 @@ pub struct Options {
     pub record_all: bool,
     /// Measure relative rotations of linear beams as a rotation vector instead of projected angles.
     pub rotation_vector: bool,
+    /// Let NONLINEAR beams shear by their shear ratios; without, they do not (Euler and Bernoulli).
+    pub nonlinear_shear: bool,
 }
 
 /// A model ready to be solved.

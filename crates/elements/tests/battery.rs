@@ -76,6 +76,7 @@ fn all() -> Vec<(&'static str, Build)> {
     vec![
         ("linear beam", beam("linear")),
         ("string beam", beam("string")),
+        ("nonlinear beam", beam("nonlinear")),
         ("spring", single("translational", false, SPRING)),
         ("torsion spring", single("rotational", false, TWIST)),
         ("bushing", elastic("bushing")),

@@ -1,16 +1,21 @@
 //! The beam among the equations: its load on two bodies and the derivative of it.
 
 use equations::{
-    BodyId, Concern, Force, FrameId, FrameLoad, Loads, Side, State, Tangent, apply_between, load_of_reaction, relative,
-    tangent_between,
+    BodyId, Concern, Force, FrameId, FrameLoad, Loads, Relative, Side, State, Tangent, apply_between, load_of_reaction,
+    relative, tangent_between,
 };
 use glam::DVec3;
 use solver::Evaluation;
 
-use super::physics::Law;
+use super::physics::{Formulation, Law};
 
 /// Relative angles above which a linear beam is a poor description, rad (10 degrees).
 pub const SMALL_ANGLE: f64 = std::f64::consts::PI / 18.0;
+/// Rotation of an end out of the chord above which a nonlinear beam is one, rad (60 degrees).
+pub const LARGE_ANGLE: f64 = std::f64::consts::PI / 3.0;
+
+/// Share of its length to which a beam may shrink before it has no direction any more.
+const SHORTEST: f64 = 1e-9;
 
 /// A beam between two frames.
 #[derive(Clone, Debug)]
@@ -23,6 +28,18 @@ pub struct Beam {
     pub law: Law,
 }
 
+impl Beam {
+    /// Motion of I relative to J, if the beam has a direction.
+    fn motion(&self, state: &State) -> Result<Relative, Evaluation> {
+        let motion = relative(state, self.i, self.j);
+        let chord = motion.d_ji_j.length();
+        if matches!(self.law.formulation, Formulation::Linear) || chord > SHORTEST * self.law.length {
+            return Ok(motion);
+        }
+        Err(Evaluation { message: format!("the markers of beam `{}` meet: it has no direction", self.name) })
+    }
+}
+
 impl Force for Beam {
     fn name(&self) -> &str {
         &self.name
@@ -33,13 +50,14 @@ impl Force for Beam {
     }
 
     fn add_loads(&self, state: &State, loads: &mut dyn Loads) -> Result<(), Evaluation> {
-        let load = self.law.load(&relative(state, self.i, self.j));
+        let motion = self.motion(state)?;
+        let load = self.law.load(&motion);
         apply_between(state, self.i, self.j, &load, loads);
         Ok(())
     }
 
     fn add_tangent(&self, state: &State, tangent: &mut dyn Tangent) -> Result<(), Evaluation> {
-        let response = self.law.response(&relative(state, self.i, self.j));
+        let response = self.law.response(&self.motion(state)?);
         let (by_position, by_velocity) = (&response.by_position, &response.by_velocity);
         tangent_between(state, self.i, self.j, &response.load, by_position, by_velocity, tangent);
         Ok(())
@@ -69,10 +87,15 @@ impl Force for Beam {
         self.law.energy(&relative(state, self.i, self.j))
     }
 
-    /// The largest relative angle when it is beyond [`SMALL_ANGLE`].
+    /// The largest relative angle when it is beyond [`SMALL_ANGLE`], or [`LARGE_ANGLE`] for NONLINEAR.
     fn concern(&self, state: &State) -> Option<Concern> {
         let angle = self.law.largest_angle(&relative(state, self.i, self.j));
-        let sentence = "bent or twisted beyond what a linear beam describes";
-        (angle > SMALL_ANGLE).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees" })
+        let (limit, sentence) = match self.law.formulation {
+            Formulation::Nonlinear(_) => (LARGE_ANGLE, "bent or twisted beyond what one nonlinear beam describes"),
+            Formulation::Linear | Formulation::String => {
+                (SMALL_ANGLE, "bent or twisted beyond what a linear beam describes")
+            }
+        };
+        (angle > limit).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees" })
     }
 }

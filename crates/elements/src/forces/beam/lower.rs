@@ -5,6 +5,7 @@ use schema::Dimension;
 use text::Diagnostic;
 
 use super::{
+    corotational::Corotational,
     element::Beam,
     physics::{Angles, Formulation, Law, Mat6, Section, from_lower_triangle, proportional_damping, stiffness},
 };
@@ -13,7 +14,7 @@ use crate::lower::Lowering;
 pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
     let i = lowering.frame_cell(beam, "i_marker_name", "beam/no-marker");
     let j = lowering.frame_cell(beam, "j_marker_name", "beam/no-marker");
-    let law = law(lowering.database, beam);
+    let law = law(lowering.database, beam, lowering.options.nonlinear_shear);
     let troubles = law.as_ref().err().into_iter().flatten().cloned();
     lowering.diagnostics.extend(troubles);
     let (Some(i), Some(j), Ok(law)) = (i, j, law) else { return };
@@ -49,28 +50,25 @@ fn default(database: &Database, beam: ObjectId, name: &str) -> f64 {
     }
 }
 
-/// The law of a beam, or everything that is wrong with its data.
-pub fn law(database: &Database, beam: ObjectId) -> Result<Law, Vec<Diagnostic>> {
+/// The law of a beam, or everything that is wrong with its data. NONLINEAR beams have no shear
+/// deflection (Euler and Bernoulli) unless it is asked for.
+pub fn law(database: &Database, beam: ObjectId, nonlinear_shear: bool) -> Result<Law, Vec<Diagnostic>> {
     let section = section(database, beam);
     let mut troubles = Vec::new();
     check(database, beam, &section, &mut troubles);
-    let formulation = match database.text(beam, "formulation").unwrap_or("linear").to_ascii_lowercase().as_str() {
-        "linear" => Formulation::Linear,
-        "string" => Formulation::String,
-        other => {
-            let name = database.full_name(beam);
-            troubles.push(
-                Diagnostic::error(
-                    "beam/formulation",
-                    format!("beam `{name}` asks for the formulation `{other}`, which is not available yet"),
-                )
-                .help("use `formulation = linear` with more beams, or `formulation = string`"),
-            );
-            Formulation::Linear
-        }
-    };
     let stiffness = stiffness(&section);
-    let damping = damping(database, beam, &stiffness, &mut troubles);
+    let damping = damping(database, beam, &mut troubles);
+    let ratio = if let Damping::Proportional(ratio) = damping { ratio } else { 0.0 };
+    let formulation = match database.text(beam, "formulation").unwrap_or("linear").to_ascii_lowercase().as_str() {
+        "string" => Formulation::String,
+        "nonlinear" => Formulation::Nonlinear(Corotational::new(&section, nonlinear_shear, ratio)),
+        _ => Formulation::Linear,
+    };
+    let damping = match (damping, formulation) {
+        (Damping::Matrix(matrix), _) => matrix,
+        (Damping::Proportional(_), Formulation::Nonlinear(_)) => [[0.0; 6]; 6],
+        (Damping::Proportional(ratio), _) => proportional_damping(&stiffness, ratio),
+    };
     if troubles.is_empty() {
         Ok(Law { length: section.length, stiffness, damping, formulation, angles: Angles::default() })
     } else {
@@ -108,8 +106,16 @@ fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Di
     must("z_shear_area_ratio", s.asz, false);
 }
 
-/// The damping matrix in SI. The 21 terms win over the ratio.
-fn damping(database: &Database, beam: ObjectId, stiffness: &Mat6, troubles: &mut Vec<Diagnostic>) -> Mat6 {
+/// How a beam is damped, SI.
+#[derive(Clone, Copy)]
+enum Damping {
+    /// This time multiplied by the stiffness.
+    Proportional(f64),
+    Matrix(Mat6),
+}
+
+/// The damping in SI. The 21 terms win over the ratio.
+fn damping(database: &Database, beam: ObjectId, troubles: &mut Vec<Diagnostic>) -> Damping {
     let name = database.full_name(beam);
     if let Some(terms) = database.numbers(beam, "matrix_of_damping_terms") {
         let Ok(terms) = <[f64; 21]>::try_from(terms.as_slice()) else {
@@ -120,7 +126,7 @@ fn damping(database: &Database, beam: ObjectId, stiffness: &Mat6, troubles: &mut
                 )
                 .note("they are the lower triangle of a symmetric 6x6 matrix by columns: C11 C21 .. C61, C22 .. C62, .. C66"),
             );
-            return *stiffness;
+            return Damping::Proportional(0.0);
         };
         if terms.iter().any(|term| !term.is_finite()) {
             troubles.push(
@@ -131,7 +137,7 @@ fn damping(database: &Database, beam: ObjectId, stiffness: &Mat6, troubles: &mut
                 .help("give 21 finite numbers"),
             );
         }
-        return damping_in_si(database, &terms);
+        return Damping::Matrix(damping_in_si(database, &terms));
     }
     let ratio = database.si(beam, "damping_ratio").unwrap_or(0.0);
     if !ratio.is_finite() || ratio < 0.0 {
@@ -143,7 +149,7 @@ fn damping(database: &Database, beam: ObjectId, stiffness: &Mat6, troubles: &mut
             .help(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
         );
     }
-    proportional_damping(stiffness, ratio)
+    Damping::Proportional(ratio)
 }
 
 /// Terms are in force, length and time of the model and radians.

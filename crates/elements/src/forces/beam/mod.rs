@@ -1,6 +1,8 @@
 //! A massless elastic beam between two markers.
 #![doc = include_str!("docs.md")]
 
+pub mod corotational;
+pub mod dual;
 pub mod element;
 pub mod lower;
 pub mod physics;

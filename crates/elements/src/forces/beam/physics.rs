@@ -5,6 +5,7 @@ use equations::Relative;
 use glam::{DMat3, DVec3};
 
 pub use crate::forces::angles::{projected_angles, projected_angles_by_rotation};
+use super::corotational::Corotational;
 
 /// Six numbers: translation or force, then rotation or torque, in J axes.
 pub type Vec6 = [f64; 6];
@@ -14,12 +15,14 @@ pub type Mat6 = [[f64; 6]; 6];
 const ZERO: Mat6 = [[0.0; 6]; 6];
 
 /// Which theory turns deformation into load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Formulation {
     /// Linear Timoshenko beam in the axes of J.
     Linear,
     /// As linear, but the axial force acts along the line from J to I.
     String,
+    /// Large rotations in a frame that rides on the chord.
+    Nonlinear(Corotational),
 }
 
 /// How relative rotation becomes three numbers.
@@ -107,7 +110,9 @@ pub struct Response {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
     pub length: f64,
+    /// Stiffness of the undeformed beam.
     pub stiffness: Mat6,
+    /// Damping by the relative velocities; NONLINEAR has its proportional damping in its own law.
     pub damping: Mat6,
     pub formulation: Formulation,
     pub angles: Angles,
@@ -133,6 +138,17 @@ impl Law {
 
     /// Load with its exact derivatives (B.8).
     pub fn response(&self, motion: &Relative) -> Response {
+        if let Formulation::Nonlinear(law) = &self.formulation {
+            let (mut load, by_position, mut by_velocity) = law.response(motion);
+            let rate = rates(motion);
+            for row in 0..6 {
+                load[row] -= dot(&self.damping[row], &rate);
+                for column in 0..6 {
+                    by_velocity[row][column] -= self.damping[row][column];
+                }
+            }
+            return Response { load, by_position, by_velocity };
+        }
         let by_rotation = match self.angles {
             Angles::Projected => projected_angles_by_rotation(&motion.rot_ji),
             Angles::RotationVector => rotation_vector_by_rotation(&motion.rot_ji),
@@ -151,9 +167,22 @@ impl Law {
         Response { load: self.load(motion), by_position, by_velocity: self.damping.map(|row| row.map(|x| -x)) }
     }
 
-    /// Elastic energy, J. Exact for STRING; of the matrix for LINEAR, which has no potential at
-    /// large rotations.
+    /// Power the damping takes, W.
+    pub fn dissipation(&self, motion: &Relative) -> f64 {
+        let rate = rates(motion);
+        let of_matrix: f64 = (0..6).map(|row| rate[row] * dot(&self.damping[row], &rate)).sum();
+        match &self.formulation {
+            Formulation::Nonlinear(law) => of_matrix + law.dissipation(motion),
+            Formulation::Linear | Formulation::String => of_matrix,
+        }
+    }
+
+    /// Elastic energy, J. Exact for NONLINEAR and the axial part of STRING; of the matrix for LINEAR,
+    /// which has no potential at large rotations.
     pub fn energy(&self, motion: &Relative) -> f64 {
+        if let Formulation::Nonlinear(law) = &self.formulation {
+            return law.energy(motion);
+        }
         let mut q = self.deformation(motion);
         if self.formulation == Formulation::String {
             q[0] = motion.d_ji_j.length() - self.length;
@@ -161,12 +190,18 @@ impl Law {
         0.5 * (0..6).map(|row| q[row] * dot(&self.stiffness[row], &q)).sum::<f64>()
     }
 
-    /// The largest of the three relative angles, rad.
+    /// The largest of the three relative angles, rad; for NONLINEAR, of the ends in the chord frame.
     pub fn largest_angle(&self, motion: &Relative) -> f64 {
+        if let Formulation::Nonlinear(law) = &self.formulation {
+            return law.largest_angle(motion);
+        }
         self.deformation(motion)[3..].iter().fold(0.0, |largest: f64, angle| largest.max(angle.abs()))
     }
 
     fn elastic(&self, motion: &Relative) -> Vec6 {
+        if let Formulation::Nonlinear(law) = &self.formulation {
+            return law.load(motion);
+        }
         let q = self.deformation(motion);
         let mut load: Vec6 = std::array::from_fn(|row| -dot(&self.stiffness[row], &q));
         if self.formulation == Formulation::String {

@@ -146,7 +146,7 @@ fn place(database: &Database, beam: ObjectId, s: &Section, at: &Placement, findi
             .help("turn I so that its axes are those of J"),
         ));
     }
-    if let Ok(law) = law(database, beam) {
+    if let Ok(law) = law(database, beam, false) {
         preload(database, beam, &law, at, findings);
     }
 }
@@ -181,7 +181,7 @@ fn preload(database: &Database, beam: ObjectId, law: &Law, at: &Placement, findi
 /// Section data that cannot be, or hardly can be, what was meant.
 fn data(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Finding>) {
     let name = database.full_name(beam);
-    if let Err(troubles) = law(database, beam) {
+    if let Err(troubles) = law(database, beam, false) {
         findings.extend(troubles.into_iter().map(Finding::new));
     }
     for (cell, ratio) in [("y_shear_area_ratio", s.asy), ("z_shear_area_ratio", s.asz)] {
