@@ -20,6 +20,7 @@ mod accumulators;
 pub mod layout;
 mod motion;
 mod pipeline;
+mod spin;
 mod system;
 
 pub use gradient::{FrameCotangent, Gradient};
@@ -28,5 +29,6 @@ pub use relative::{
 };
 pub use scalar::{ScalarAction, apply_scalar, scalar_load, tangent_gradient, tangent_scalar};
 pub use sockets::{Concern, Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
+pub use spin::Spin;
 pub use state::{Axis, Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};
 pub use system::{EquationRow, System};
