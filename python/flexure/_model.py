@@ -142,9 +142,15 @@ class Model:
         self._native.take_runs()
         return run
 
-    def modes(self, *, static: bool = False) -> Modes:
-        """Linear modes about the initial state or, with `static`, about the equilibrium."""
-        found = self._native.modes(static)
+    def modes(self, *, static: bool = False, spin: float | None = None, about: str | None = None) -> Modes:
+        """Linear modes about the initial state or, with `static`, about the equilibrium.
+
+        With `spin` (rad/s) and `about` (a marker), about the steady spin of the whole model round the
+        marker's z axis, deflected by the centrifugal forces.
+        """
+        if (spin is None) != (about is None):
+            raise ValueError("`spin` (rad/s) and `about` (the marker whose z axis it is about) go together")
+        found = self._native.modes(static, None if spin is None else (about, spin))
         return Modes(
             frequency=found["frequency"],
             damping_ratio=found["damping_ratio"],

@@ -126,8 +126,14 @@ pub struct Modes {
     #[command(flatten)]
     pub edits: Edits,
     /// About the static equilibrium.
-    #[arg(long = "static")]
+    #[arg(long = "static", conflicts_with = "spin")]
     pub statics: bool,
+    /// About a steady spin of the whole model: rad/s, or with a unit as 57rpm or 340d (degrees per second).
+    #[arg(long, value_name = "RATE", requires = "about", allow_negative_numbers = true)]
+    pub spin: Option<SpinRate>,
+    /// The marker whose z axis the model spins about.
+    #[arg(long, value_name = "MARKER", requires = "spin")]
+    pub about: Option<String>,
     /// Write eigenvalues and shapes to FILE.csv.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -137,6 +143,21 @@ pub struct Modes {
     /// Print JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// A rate of rotation, rad/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpinRate(pub f64);
+
+impl std::str::FromStr for SpinRate {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<SpinRate, String> {
+        let units = [("rpm", std::f64::consts::TAU / 60.0), ("d", 1f64.to_radians()), ("", 1.0)];
+        let split = units.iter().find_map(|(unit, factor)| Some((text.strip_suffix(unit)?, factor)));
+        let rate = split.and_then(|(number, factor)| Some(number.trim().parse::<f64>().ok()? * factor));
+        rate.filter(|r| r.is_finite()).map(SpinRate).ok_or_else(|| "a number of rad/s, or 57rpm, or 340d".to_string())
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

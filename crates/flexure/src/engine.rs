@@ -8,7 +8,7 @@ use model::{Database, ObjectId};
 use solver::SystemState;
 use text::Diagnostic;
 
-use crate::modes::{self, ModesReport};
+use crate::modes::{self, ModesAbout, ModesReport};
 use crate::run::{Run, RunObserver, Silent};
 use crate::session::cannot_write;
 use crate::settings::{Analysis, Outputs, SimulationOptions};
@@ -74,7 +74,7 @@ impl Engine {
                 return Ok(());
             }
             SimulationKind::Eigen => {
-                let report = self.modes(database, request.model, false)?;
+                let report = self.modes(database, request.model, &ModesAbout::Present)?;
                 report.lines().iter().for_each(|line| self.observer.message(line));
                 return Ok(());
             }
@@ -132,10 +132,10 @@ impl Engine {
         &mut self,
         database: &Database,
         model: ObjectId,
-        statics: bool,
+        about: &ModesAbout,
     ) -> Result<ModesReport, Vec<Diagnostic>> {
         let from = self.left_state(database, model).map(|left| left.state.clone());
-        modes::find(database, model, from, statics, self.observer.as_mut())
+        modes::find(database, model, from, about, self.observer.as_mut())
     }
 
     fn left_state(&self, database: &Database, model: ObjectId) -> Option<&Left> {

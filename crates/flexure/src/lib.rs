@@ -19,7 +19,7 @@ pub use attributes::{Attribute, AttributeValue};
 pub use compare_models::{ModelChange, ModelDifferences, ValueChange, Why};
 pub use fixes::{Fixed, apply_fixes};
 pub use layout::Layout;
-pub use modes::{Mode, ModesReport};
+pub use modes::{Mode, ModesAbout, ModesReport};
 pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
 pub use session::{Report, Session, Verification};
 pub use settings::{Analysis, Outputs, SimulationOptions};

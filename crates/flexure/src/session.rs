@@ -12,10 +12,15 @@ use results::Polyline;
 use text::{Diagnostic, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
+<<<<<<< HEAD
 use crate::compare_models::{ModelDifferences, Side, compare_models};
 use crate::engine::{Engine, data_set, write_data_set};
 use crate::modes::ModesReport;
 use crate::persistence::Persistence;
+=======
+use crate::engine::{Engine, write_data_set};
+use crate::modes::{ModesAbout, ModesReport};
+>>>>>>> 6613285 (modes: about a steady spin)
 use crate::run::{Run, RunObserver};
 use crate::settings::SimulationOptions;
 
@@ -306,14 +311,14 @@ impl Session {
         lock(&self.engine).simulate(database, model, options)
     }
 
-    /// Linear modes about the modelled state, or about the static equilibrium.
+    /// Linear modes about the modelled state, the static equilibrium or a steady spin.
     ///
     /// # Errors
     /// As [`Session::simulate`].
-    pub fn modes(&mut self, statics: bool) -> Result<ModesReport, Vec<Diagnostic>> {
+    pub fn modes(&mut self, about: &ModesAbout) -> Result<ModesReport, Vec<Diagnostic>> {
         let model = self.model_or_error()?;
         let database = &self.interpreter.database;
-        lock(&self.engine).modes(database, model, statics)
+        lock(&self.engine).modes(database, model, about)
     }
 
     /// Runs made since the last call.

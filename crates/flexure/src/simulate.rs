@@ -518,7 +518,7 @@ fn concern_warnings(noted: &[Noted]) -> Vec<Diagnostic> {
     kinds.into_iter().map(warning).collect()
 }
 
-fn evaluation(error: &solver::Evaluation) -> Diagnostic {
+pub(crate) fn evaluation(error: &solver::Evaluation) -> Diagnostic {
     Diagnostic::error("run/not-computable", error.message.clone())
 }
 

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use flexure::Session;
+use flexure::{ModesAbout, Session};
 
 /// Exact circular frequencies for EI = rho A = L = 1.
 const EXACT: [f64; 3] = [3.516_015_268_5, 22.034_491_564_7, 61.697_214_412_5];
@@ -65,7 +65,7 @@ fn ratios(model: &str) -> [f64; 3] {
     let mut session = Session::new();
     let report = session.execute(model);
     assert_eq!(report.failed, 0, "{}", session.render(&report.diagnostics, false));
-    let found = session.modes(false).unwrap_or_else(|d| panic!("{}", session.render(&d, false)));
+    let found = session.modes(&ModesAbout::Present).unwrap_or_else(|d| panic!("{}", session.render(&d, false)));
     let list: Vec<f64> = found.modes.iter().map(|m| m.frequency_hz * std::f64::consts::TAU).collect();
     for pair in list[..6].chunks(2) {
         assert!((pair[0] / pair[1] - 1.0).abs() < 1e-6, "{list:?}");
@@ -109,7 +109,7 @@ fn a_damping_ratio_damps_each_mode_in_proportion_to_its_frequency() {
     let model = segments(4).replace("izz=1e-6", &format!("izz=1e-6 damping_ratio={ratio:?}"));
     let mut session = Session::new();
     assert_eq!(session.execute(&model).failed, 0);
-    for mode in session.modes(false).unwrap().modes.iter().take(6) {
+    for mode in session.modes(&ModesAbout::Present).unwrap().modes.iter().take(6) {
         let expected = ratio * mode.frequency_hz * std::f64::consts::TAU / 2.0;
         // The eigenvalues are good to about 1e-9 of the largest (axial) frequency.
         assert!((mode.damping_ratio / expected - 1.0).abs() < 1e-6, "{} {expected}", mode.damping_ratio);

@@ -193,10 +193,20 @@ impl Session {
 
     /// Modes: frequencies (Hz), damping ratios, real and imaginary parts (shape: modes), shapes
     /// (modes x unknowns, complex as two arrays), names of the unknowns.
-    #[pyo3(signature = (statics=false))]
-    fn modes<'py>(&mut self, py: Python<'py>, statics: bool) -> PyResult<Bound<'py, PyDict>> {
+    #[pyo3(signature = (statics=false, spin=None))]
+    fn modes<'py>(
+        &mut self,
+        py: Python<'py>,
+        statics: bool,
+        spin: Option<(String, f64)>,
+    ) -> PyResult<Bound<'py, PyDict>> {
         let session = self.session();
-        let found = match py.detach(|| session.modes(statics)) {
+        let about = match spin {
+            Some((marker, rate)) => flexure::ModesAbout::Spin { marker, rate },
+            None if statics => flexure::ModesAbout::Equilibrium,
+            None => flexure::ModesAbout::Present,
+        };
+        let found = match py.detach(|| session.modes(&about)) {
             Ok(found) => found,
             Err(diagnostics) => return Err(errors::raise(py, self.session(), &diagnostics)),
         };

@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use comfy_table::{CellAlignment, Table, presets};
-use flexure::Mode;
+use flexure::{Mode, ModesAbout};
 
 use crate::Outcome;
 use crate::arguments::Modes;
@@ -15,7 +15,12 @@ pub(super) fn execute(modes: &Modes) -> Outcome {
     if !open(&mut session, &modes.model, &modes.edits) {
         return Outcome::Findings;
     }
-    let found = match session.modes(modes.statics) {
+    let about = match (&modes.about, modes.spin) {
+        (Some(marker), Some(rate)) => ModesAbout::Spin { marker: marker.clone(), rate: rate.0 },
+        _ if modes.statics => ModesAbout::Equilibrium,
+        _ => ModesAbout::Present,
+    };
+    let found = match session.modes(&about) {
         Ok(found) => found,
         Err(diagnostics) => {
             print(&session, &diagnostics);
