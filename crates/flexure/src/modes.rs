@@ -166,7 +166,10 @@ fn spinning<'a>(
         None => Ok(spin),
         Some((name, by)) => Err(vec![
             Diagnostic::error("modes/held", format!("`{name}` does not let the model spin at {rate} rad/s"))
-                .note(format!("about z of `{}` it would be broken at a rate of {by:.4} per second", database.full_name(id)))
+                .note(format!(
+                    "about z of `{}` it would be broken at a rate of {by:.4} per second",
+                    database.full_name(id)
+                ))
                 .help("give the rate of the motion that drives the model, and the marker it turns about"),
         ]),
     }

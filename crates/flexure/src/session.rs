@@ -12,15 +12,10 @@ use results::Polyline;
 use text::{Diagnostic, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
-<<<<<<< HEAD
 use crate::compare_models::{ModelDifferences, Side, compare_models};
 use crate::engine::{Engine, data_set, write_data_set};
-use crate::modes::ModesReport;
-use crate::persistence::Persistence;
-=======
-use crate::engine::{Engine, write_data_set};
 use crate::modes::{ModesAbout, ModesReport};
->>>>>>> 6613285 (modes: about a steady spin)
+use crate::persistence::Persistence;
 use crate::run::{Run, RunObserver};
 use crate::settings::SimulationOptions;
 

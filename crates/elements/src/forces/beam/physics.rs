@@ -4,8 +4,8 @@
 use equations::Relative;
 use glam::{DMat3, DVec3};
 
-pub use crate::forces::angles::{projected_angles, projected_angles_by_rotation};
 use super::corotational::Corotational;
+pub use crate::forces::angles::{projected_angles, projected_angles_by_rotation};
 
 /// Six numbers: translation or force, then rotation or torque, in J axes.
 pub type Vec6 = [f64; 6];
