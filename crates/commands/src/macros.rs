@@ -434,8 +434,8 @@ fn substitute(body: &str, values: &[(String, String)]) -> String {
     let mut text = String::with_capacity(body.len());
     for line in body.lines() {
         if line.trim_start().starts_with('!') {
-            // Kept as an empty line, so that line numbers stay.
-            text.push('\n');
+            // Kept as a comment: line numbers stay, and a command that goes on behind it goes on.
+            text.push_str("!\n");
             continue;
         }
         let mut rest = line;

@@ -78,7 +78,7 @@ force create element_like beam beam_name = .m.beam i_marker_name = .m.p.a j_mark
 fn command() -> impl Strategy<Value = String> {
     let name = prop::sample::select(vec!["a", "b", "c", "d"]);
     let part = prop::sample::select(vec!["p", "q", "ground"]);
-    (0..16_usize, name, part, -50..50_i32).prop_map(|(kind, name, part, x)| match kind {
+    (0..40_usize, name, part, -50..50_i32).prop_map(|(kind, name, part, x)| match kind {
         0 => format!("marker create marker_name = .m.{part}.{name} location = {x}, 1, 2"),
         1 => format!("marker modify marker_name = .m.{part}.{name} location = (.m.v), {x}, 0 adams_id = {}", x.abs()),
         2 => format!("marker delete marker_name = .m.{part}.{name}"),
@@ -94,6 +94,30 @@ fn command() -> impl Strategy<Value = String> {
         12 => format!("for variable_name = i start_value = 1 end_value = 3\nmarker create marker_name = (eval(\".m.{part}.l\" // RTOI(i))) location = {x}, 0, 0\nend"),
         13 => format!("undo begin_block\nmarker create marker_name = .m.{part}.{name}\nvariable delete variable_name = .m.{name}\nundo end_block"),
         14 => format!("part create rigid_body mass_properties part_name = .m.{part} mass = {x} center_of_mass_marker = .m.{part}.{name}"),
+        15 => format!("move object part_name = .m.{part} c1 = {x} c2 = 0 c3 = 1"),
+        16 => format!("move rotation part_name = .m.{part} a1 = {x} a2 = 0 a3 = 0"),
+        17 => format!("group objects add group_name = .m.g objects_in_group = .m.{part}, .m.v"),
+        18 => format!("group objects remove group_name = .m.g objects_in_group = .m.{part}.{name}"),
+        19 => "group objects delete group_name = .m.g".to_string(),
+        20 => format!("force copy force_name = .m.beam new_force_name = .m.{name}"),
+        21 => format!("force delete force_name = .m.{name}"),
+        22 => format!("force attributes force_name = .m.beam color = RED active = {}", if x < 0 { "off" } else { "on" }),
+        23 => format!("constraint create joint revolute joint_name = .m.j{name} i_marker_name = .m.p.a j_marker_name = .m.ground.b"),
+        24 => format!("constraint delete constraint_name = .m.j{name}"),
+        25 => format!("geometry create shape block block_name = .m.{part}.box corner_marker = .m.{part}.{name} diag_corner_coords = 1, 2, {x}"),
+        26 => format!("entity delete entity_name = .m.{part}.{name}"),
+        27 => format!("entity copy entity_name = .m.{part}.{name} new_entity_name = .m.{part}.c{x}"),
+        28 => format!("macro create macro_name = .m.make_{name} user_entered_command = \"make {name}\" commands_to_be_executed = \"marker create marker_name = .m.{part}.made location = $x:t=real, 0, 0\""),
+        29 => format!("make {name} x = {x}"),
+        30 => format!("data_element create spline spline_name = .m.s{name} x = 0, 1, 2, 3 y = 0, {x}, 2, 3"),
+        31 => format!("data_element modify spline spline_name = .m.s{name} y = 1, 2, 3, {x}"),
+        32 => format!("force create element_like bushing bushing_name = .m.u{name} i_marker_name = .m.p.a j_marker_name = .m.ground.b stiffness = {x}, 1, (.m.v)"),
+        33 => "model copy model_name = .m new_model_name = .copied".to_string(),
+        34 => format!("part merge rigid_body part_name = .m.{part} into_part_name = .m.p"),
+        35 => format!("variable create variable_name = .m.{name} real_value = 1, 2, {x}"),
+        36 => format!("variable modify variable_name = .m.{name} index = 2 real_value = {x}"),
+        37 => format!("defaults name_generation marker marker_prefix = {name}\nmarker create location = {x}, 0, 0"),
+        38 => format!("if condition = (.m.v > {x})\nmarker create marker_name = .m.{part}.if_{name}\nend"),
         _ => format!("marker modify marker_name = .m.{part}.{name} orientation = (ORI_RELATIVE_TO({{{x}, 0, 0}}, .m.p)) relative_to = .m.{part}"),
     })
 }

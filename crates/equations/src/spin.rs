@@ -23,15 +23,15 @@ pub struct Spin<'a> {
     /// A point of the line, m, ground axes.
     point_g: DVec3,
     /// Angular velocity of the whole, rad/s, ground axes.
-    spin_g: DVec3,
+    w_whole_g: DVec3,
     v: Vec<f64>,
     a: Vec<f64>,
 }
 
 impl<'a> Spin<'a> {
-    pub fn new(system: &'a mut System, point_g: DVec3, spin_g: DVec3) -> Self {
+    pub fn new(system: &'a mut System, point_g: DVec3, w_whole_g: DVec3) -> Self {
         let n = system.layout.velocities;
-        Self { system, point_g, spin_g, v: vec![0.0; n], a: vec![0.0; n] }
+        Self { system, point_g, w_whole_g, v: vec![0.0; n], a: vec![0.0; n] }
     }
 
     /// The system at rest in the turning axes: its velocities and accelerations in ground.
@@ -59,14 +59,14 @@ impl<'a> Spin<'a> {
         }
         let (at, rate, size) = worst;
         // Motions are typed with six digits or so.
-        let broken = rate.abs() > 1e-5 * size.max(self.spin_g.length());
+        let broken = rate.abs() > 1e-5 * size.max(self.w_whole_g.length());
         Ok(broken.then(|| (self.system.describe(self.system.layout.velocities + at), rate)))
     }
 
     /// Velocities and accelerations in ground from those in the turning axes.
     fn absolute(&mut self, q: &[f64], v: &[f64], a: &[f64]) {
         self.system.update(0.0, q, None);
-        let spin = self.spin_g;
+        let spin = self.w_whole_g;
         for (at, slot) in self.system.layout.bodies.iter().enumerate() {
             let k = slot.velocity;
             let r = vec3(q, slot.position) - self.point_g;
@@ -89,7 +89,7 @@ impl<'a> Spin<'a> {
         add: &mut dyn FnMut(usize, usize, &[f64]),
     ) -> Result<(), Evaluation> {
         self.system.update(at.t, at.q, None);
-        let spin = self.spin_g;
+        let spin = self.w_whole_g;
         let rotations = self.system.state.rotations.iter();
         let turns: Vec<[DMat3; 2]> = rotations.map(|rot_gb| turn(spin, rot_gb.transpose() * spin)).collect();
         let sizes: Vec<usize> = self.system.layout.bodies.iter().map(|slot| slot.size).collect();
