@@ -122,8 +122,11 @@ fn sheet() -> Option<Vec<(String, Vec<Row>)>> {
     Some(found)
 }
 
+/// A command with its parameters: name and what stands behind it.
+type SheetCommand = (String, Vec<(String, String)>);
+
 /// `marker create|modify` as two commands.
-fn commands() -> Option<Vec<(String, Vec<(String, String)>)>> {
+fn commands() -> Option<Vec<SheetCommand>> {
     let mut all = Vec::new();
     for (title, rows) in &sheet()? {
         let both = title.contains("create|modify");

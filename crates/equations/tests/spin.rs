@@ -54,7 +54,7 @@ fn swing(hinge: DMat3) -> f64 {
     let mut system = rotor(hinge, SPIN, 0.4);
     let (q, _) = system.initial_state();
     let mut spin = Spin::new(&mut system, DVec3::ZERO, DVec3::Z * SPIN);
-    let mut state = SystemState::at_rest(&mut spin, 0.0, q);
+    let mut state = SystemState::at_rest(&spin, 0.0, q);
     let options = StaticOptions { error: 1e-10, imbalance: 1e-9, ..StaticOptions::default() };
     equilibrium(&mut spin, &mut state, &options, &mut Silent).unwrap();
     initial::accelerations(&mut spin, &mut state).unwrap();

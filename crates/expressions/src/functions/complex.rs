@@ -132,16 +132,21 @@ fn hessenberg(mut m: Vec<Vec<Complex>>) -> Vec<Vec<Complex>> {
             if factor == ZERO {
                 continue;
             }
-            for j in 0..n {
-                let above = m[k][j];
-                m[i][j] = m[i][j] - factor * above;
-            }
+            eliminate(&mut m, i, k, 0, factor);
             for row in &mut m {
                 row[k] = row[k] + factor * row[i];
             }
         }
     }
     m
+}
+
+/// Takes a multiple of row `k` from row `i`, which is below it, from a column on.
+fn eliminate(m: &mut [Vec<Complex>], i: usize, k: usize, from: usize, factor: Complex) {
+    let (upper, lower) = m.split_at_mut(i);
+    for (x, above) in lower[0].iter_mut().zip(&upper[k]).skip(from) {
+        *x = *x - factor * *above;
+    }
 }
 
 /// Shifted QR steps; each time the last subdiagonal element vanishes, one value is found.
@@ -180,10 +185,9 @@ fn eigenvalues(mut m: Vec<Vec<Complex>>, size: f64) -> Option<Vec<Complex>> {
                 continue;
             }
             let (c, s) = (Complex::new(a.re / length, a.im / length), Complex::new(b.re / length, b.im / length));
-            for j in k..end {
-                let (x, y) = (m[k][j], m[k + 1][j]);
-                m[k][j] = c.conjugate() * x + s.conjugate() * y;
-                m[k + 1][j] = c * y - s * x;
+            let (upper, lower) = m.split_at_mut(k + 1);
+            for (x, y) in upper[k].iter_mut().zip(&mut lower[0]).take(end).skip(k) {
+                (*x, *y) = (c.conjugate() * *x + s.conjugate() * *y, c * *y - s * *x);
             }
             turns.push((c, s));
         }
@@ -260,10 +264,7 @@ fn solved(mut m: Vec<Vec<Complex>>, least: f64) -> Vec<Complex> {
             if factor == ZERO {
                 continue;
             }
-            for j in k..=n {
-                let above = m[k][j];
-                m[i][j] = m[i][j] - factor * above;
-            }
+            eliminate(&mut m, i, k, k, factor);
         }
     }
     let mut x = vec![ZERO; n];

@@ -96,7 +96,7 @@ fn referents(database: &Database, object: ObjectId) -> Vec<ObjectId> {
 
 fn in_expressions(database: &Database, object: ObjectId) -> Vec<ObjectId> {
     let cells = database.object(object).cells.iter().flatten().filter(|c| c.source != Source::Literal);
-    cells.flat_map(|c| c.expressions().into_iter().flat_map(|e| e.objects()).collect::<Vec<_>>()).collect()
+    cells.flat_map(|c| c.expressions().into_iter().flat_map(model::Expression::objects).collect::<Vec<_>>()).collect()
 }
 
 /// Objects that refer to one of several; on demand only those outside.

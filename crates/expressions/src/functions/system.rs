@@ -233,7 +233,7 @@ fn dated(format: &str, seconds: u64) -> Option<String> {
             out.push(c);
             continue;
         }
-        out.push_str(&match characters.next()? {
+        let piece = match characters.next()? {
             'Y' => year.to_string(),
             'y' => format!("{:02}", year % 100),
             'm' => format!("{month:02}"),
@@ -261,7 +261,8 @@ fn dated(format: &str, seconds: u64) -> Option<String> {
             't' => "\t".to_string(),
             '%' => "%".to_string(),
             _ => return None,
-        });
+        };
+        out.push_str(&piece);
     }
     Some(out)
 }

@@ -65,7 +65,7 @@ pub fn law(database: &Database, beam: ObjectId, nonlinear_shear: bool) -> Result
         _ => Formulation::Linear,
     };
     let damping = match (damping, formulation) {
-        (Damping::Matrix(matrix), _) => matrix,
+        (Damping::Matrix(matrix), _) => *matrix,
         (Damping::Proportional(_), Formulation::Nonlinear(_)) => [[0.0; 6]; 6],
         (Damping::Proportional(ratio), _) => proportional_damping(&stiffness, ratio),
     };
@@ -107,11 +107,10 @@ fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Di
 }
 
 /// How a beam is damped, SI.
-#[derive(Clone, Copy)]
 enum Damping {
     /// This time multiplied by the stiffness.
     Proportional(f64),
-    Matrix(Mat6),
+    Matrix(Box<Mat6>),
 }
 
 /// The damping in SI. The 21 terms win over the ratio.
@@ -137,7 +136,7 @@ fn damping(database: &Database, beam: ObjectId, troubles: &mut Vec<Diagnostic>) 
                 .help("give 21 finite numbers"),
             );
         }
-        return Damping::Matrix(damping_in_si(database, &terms));
+        return Damping::Matrix(Box::new(damping_in_si(database, &terms)));
     }
     let ratio = database.si(beam, "damping_ratio").unwrap_or(0.0);
     if !ratio.is_finite() || ratio < 0.0 {

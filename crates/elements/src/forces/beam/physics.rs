@@ -141,11 +141,9 @@ impl Law {
         if let Formulation::Nonlinear(law) = &self.formulation {
             let (mut load, by_position, mut by_velocity) = law.response(motion);
             let rate = rates(motion);
-            for row in 0..6 {
-                load[row] -= dot(&self.damping[row], &rate);
-                for column in 0..6 {
-                    by_velocity[row][column] -= self.damping[row][column];
-                }
+            for ((load, by_velocity), damping) in load.iter_mut().zip(&mut by_velocity).zip(&self.damping) {
+                *load -= dot(damping, &rate);
+                by_velocity.iter_mut().zip(damping).for_each(|(slope, term)| *slope -= term);
             }
             return Response { load, by_position, by_velocity };
         }

@@ -92,7 +92,7 @@ mod tests {
     fn a_turned_rectangle_is_a_cylinder_with_as_many_sides() {
         for angle in [360.0, 120.0] {
             let angle = ("angle_extent", Value::Number(angle));
-            let found = revolution(&RECTANGLE, &[angle.clone()]).unwrap();
+            let found = revolution(&RECTANGLE, std::slice::from_ref(&angle)).unwrap();
             let number = |x| Value::Number(x);
             let sizes = [("length", number(3.0)), ("top_radius", number(2.0)), ("bottom_radius", number(2.0)), angle];
             let mut twin = weighed("frustum", &sizes).unwrap();

@@ -138,9 +138,9 @@ fn the_derivative_is_that_of_complex_steps() {
             let mut faster = at;
             let step = DVec3::from_array(std::array::from_fn(|k| f64::from(u8::from(k == column % 3))));
             if column < 3 {
-                faster.v_ji_j += step
+                faster.v_ji_j += step;
             } else {
-                faster.w_ji_j += step
+                faster.w_ji_j += step;
             }
             for (row, value) in law.load(&faster).iter().enumerate() {
                 assert!((value - load[row] - by_velocity[row][column]).abs() < 1e-13, "{size} {row} {column}");
