@@ -1,7 +1,6 @@
-//! The journal: its layout, compared with logs that Adams wrote, and that it builds the same model
-//! when it is read.
+//! The journal: its layout, and that it builds the same model when it is read.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use flexure_commands::{Host, Interpreter, Journal, OnError, SimulationRequest, write_model};
 use model::{Database, ObjectId};
@@ -35,85 +34,6 @@ fn journal_of(interpreter: &Interpreter) -> String {
     interpreter.journal.as_ref().unwrap().text()
 }
 
-/// The text behind the mark of an echoed line: `! +1&>   name = x`.
-fn echoed(line: &str) -> Option<&str> {
-    let text = line.strip_prefix("! ")?;
-    let text = text.strip_prefix("ERROR:  ").unwrap_or(text);
-    let text = text.trim_start_matches(|c: char| c == '+' || c == '-' || c.is_ascii_digit());
-    let text = text.strip_prefix(">>").or_else(|| text.strip_prefix("&>"))?;
-    Some(text.strip_prefix(' ').unwrap_or(text))
-}
-
-/// Lines of a log of which Flexure knows what they should be.
-fn comparable(line: &&str) -> bool {
-    echoed(line).is_some()
-        || line.starts_with("! ERROR:")
-        || line.contains("has mass but no")
-        || line.contains("an IF, WHILE")
-}
-
-fn logs(folder: &Path, found: &mut Vec<PathBuf>) {
-    let Ok(entries) = std::fs::read_dir(folder) else { return };
-    let mut paths: Vec<PathBuf> = entries.flatten().map(|e| e.path()).collect();
-    paths.sort();
-    for path in paths {
-        if path.is_dir() {
-            logs(&path, found);
-        } else if path.file_name().is_some_and(|n| n == "aview.log") {
-            found.push(path);
-        }
-    }
-}
-
-/// Twin: logs that Adams View wrote while it read command files with mistakes in them. The files
-/// are taken from the echoes; the journal of reading them must be the same, line by line.
-#[test]
-fn reading_a_file_is_logged_as_adams_does() {
-    let Some(shared) = std::env::var_os("FLEXURE_SHARED") else {
-        println!("skipped: FLEXURE_SHARED is not set");
-        return;
-    };
-    let mut found = Vec::new();
-    logs(&Path::new(&shared).join("corpus"), &mut found);
-    assert!(found.len() >= 8);
-    let folder = std::env::temp_dir().join(format!("flexure-journal-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let (mut compared, mut boxes) = (0, 0);
-    for path in found {
-        let log = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).replace('\r', "");
-        let begin = "! Automatically executing Command file aview.cmd.\n";
-        let Some((_, log)) = log.split_once(begin) else { continue };
-        let until = log.find("! Command file is exhausted").unwrap_or(log.len());
-        let wanted: Vec<&str> = log[..until].lines().filter(comparable).collect();
-        let source: String = wanted.iter().filter_map(|l| echoed(l)).fold(String::new(), |s, l| s + l + "\n");
-        let file = folder.join("aview.cmd");
-        std::fs::write(&file, source).unwrap();
-        let mut interpreter = session();
-        let report = interpreter.run_file(&file);
-        // What Adams says about a command that is not executed here cannot be known.
-        let skipped = report.diagnostics.iter().filter(|d| d.code == "command/not-supported");
-        let places = skipped.filter_map(|d| d.primary.as_ref());
-        let first = places.map(|l| interpreter.sources.line_column(l.span.file, l.span.start).line).min();
-        let journal = journal_of(&interpreter);
-        let made: Vec<&str> = journal.lines().filter(comparable).collect();
-        let mut source_line = 0;
-        let known = wanted.iter().take_while(|l| {
-            source_line += usize::from(echoed(l).is_some());
-            first.is_none_or(|f| source_line < f)
-        });
-        let known = known.count();
-        for (at, wanted) in wanted[..known].iter().enumerate() {
-            assert_eq!(made.get(at), Some(wanted), "line {at} of {}", path.display());
-        }
-        assert!(first.is_some() || made.len() == wanted.len(), "{}", path.display());
-        println!("{known} of {} lines: {}", wanted.len(), path.display());
-        compared += 1;
-        boxes += wanted[..known].iter().filter(|l| l.contains("Error detected")).count();
-    }
-    std::fs::remove_dir_all(&folder).unwrap();
-    println!("{compared} logs, {boxes} errors");
-    assert!(compared >= 6 && boxes >= 10, "{compared} logs, {boxes} errors");
-}
 /// Truth: the layout of command-language facts: `>>` and `&>` for first and further lines, the depth
 /// of blocks before them and negative where lines are skipped; a box with line and character for
 /// what could not be understood; messages behind the echo for what failed while it was executed.

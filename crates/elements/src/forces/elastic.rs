@@ -27,6 +27,10 @@ pub struct Response {
 pub trait Law: Send + Sync {
     /// The load and its derivatives.
     fn response(&self, motion: &Relative) -> Response;
+    /// The load alone, where that costs less.
+    fn load(&self, motion: &Relative) -> [f64; 6] {
+        self.response(motion).load
+    }
     /// Elastic energy and that of the preload, J.
     fn energy(&self, motion: &Relative) -> f64;
     /// Why there is no load in this state.
@@ -40,6 +44,7 @@ pub trait Law: Send + Sync {
 }
 
 /// A law between two frames.
+#[derive(Clone, Debug)]
 pub struct Elastic<L> {
     pub name: String,
     pub i: FrameId,
@@ -50,10 +55,11 @@ pub struct Elastic<L> {
 }
 
 impl<L: Law> Elastic<L> {
-    fn checked(&self, state: &State) -> Result<Response, Evaluation> {
+    /// Motion of I relative to J, if there is a load in it.
+    fn motion(&self, state: &State) -> Result<Relative, Evaluation> {
         let motion = relative(state, self.i, self.j);
         match self.law.trouble(&motion) {
-            None => Ok(self.law.response(&motion)),
+            None => Ok(motion),
             Some(why) => Err(Evaluation { message: format!("`{}` at time {} s: {why}", self.name, state.time) }),
         }
     }
@@ -69,20 +75,20 @@ impl<L: Law> Force for Elastic<L> {
     }
 
     fn add_loads(&self, state: &State, loads: &mut dyn Loads) -> Result<(), Evaluation> {
-        let response = self.checked(state)?;
-        apply_between(state, self.i, self.j, &response.load, loads);
+        let load = self.law.load(&self.motion(state)?);
+        apply_between(state, self.i, self.j, &load, loads);
         Ok(())
     }
 
     fn add_tangent(&self, state: &State, tangent: &mut dyn Tangent) -> Result<(), Evaluation> {
-        let response = self.checked(state)?;
+        let response = self.law.response(&self.motion(state)?);
         let (by_position, by_velocity) = (&response.by_position, &response.by_velocity);
         tangent_between(state, self.i, self.j, &response.load, by_position, by_velocity, tangent);
         Ok(())
     }
 
     fn load_at(&self, state: &State, side: Side) -> FrameLoad {
-        let load = self.law.response(&relative(state, self.i, self.j)).load;
+        let load = self.law.load(&relative(state, self.i, self.j));
         let (i, j) = (state.frame(self.i), state.frame(self.j));
         let on_i = FrameLoad {
             f_g: j.rot_gi * DVec3::new(load[0], load[1], load[2]),

@@ -6,6 +6,7 @@ use glam::{DMat3, DVec3};
 
 use super::corotational::Corotational;
 pub use crate::forces::angles::{projected_angles, projected_angles_by_rotation};
+pub use crate::forces::elastic::Response;
 
 /// Six numbers: translation or force, then rotation or torque, in J axes.
 pub type Vec6 = [f64; 6];
@@ -94,16 +95,6 @@ pub fn from_lower_triangle(terms: &[f64; 21]) -> Mat6 {
         matrix[column][row] = *term;
     }
     matrix
-}
-
-/// Load on I, in J axes, with its derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Response {
-    pub load: Vec6,
-    /// d(load) / d[displacement, small rotation] of I relative to J, all in J axes.
-    pub by_position: Mat6,
-    /// d(load) / d[velocity, angular velocity].
-    pub by_velocity: Mat6,
 }
 
 /// Constants of one beam during a run.
