@@ -29,4 +29,5 @@ pub use window::{Candidate, Completion};
 pub use elements::Finding;
 pub use parquet;
 pub use results;
+pub use sections;
 pub use text;

@@ -31,6 +31,7 @@ mod matrix;
 mod modelling;
 mod orientation;
 mod print_format;
+mod sections;
 mod strings;
 mod surfaces;
 mod system;
@@ -98,6 +99,7 @@ const GROUPS: &[(&str, &[Function])] = &[
     ("orientation", orientation::TABLE),
     ("modelling", modelling::TABLE),
     ("modelling", mass::TABLE),
+    ("section", sections::TABLE),
     ("math", math::TABLE),
     ("matrix", matrix::TABLE),
     ("matrix", linear::TABLE),
