@@ -31,6 +31,8 @@ pub enum Command {
     Convert(Convert),
     /// Draw series of a results file, or a model, as SVG or PNG.
     Plot(Plot),
+    /// Area, moments, torsion constant and shear factors of a cross section, with a drawing.
+    Section(Section),
     /// Compare two models, or two results files.
     Diff(Diff),
     /// The command window: Tab completes, `?` lists what may follow, every command can be undone.
@@ -241,6 +243,57 @@ pub struct Plot {
     /// Width and height in pixels, as 1000x600.
     #[arg(long, default_value = "1000x600")]
     pub size: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ShearTheory {
+    /// Energy of Jourawski's shear stress: 6/5 for a rectangle, 10/9 for a circle.
+    Energy,
+    /// Cowper 1966, with Poisson's ratio.
+    Cowper,
+    /// No shear deflection.
+    None,
+}
+
+/// Widths are along y of the beam, heights along z. Sizes and answers are in one unit of length.
+#[derive(Debug, Args)]
+pub struct Section {
+    /// Shape.
+    #[arg(value_parser = ["rectangle", "circle", "tube", "box", "i", "ellipse"])]
+    pub kind: String,
+    /// Size along y.
+    #[arg(long, value_name = "W", allow_negative_numbers = true)]
+    pub width: Option<f64>,
+    /// Size along z.
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    pub height: Option<f64>,
+    /// Outer diameter of a circle or tube.
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    pub diameter: Option<f64>,
+    /// Wall of a tube or box.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub thickness: Option<f64>,
+    /// Web of an I.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub web_thickness: Option<f64>,
+    /// Flanges of an I; of a box, if other than the wall.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub flange_thickness: Option<f64>,
+    /// Poisson's ratio, for the shear factors of Cowper.
+    #[arg(long, value_name = "NU", default_value_t = 0.3, allow_negative_numbers = true)]
+    pub nu: f64,
+    /// Where shear factors come from.
+    #[arg(long, value_enum, default_value = "energy")]
+    pub theory: ShearTheory,
+    /// Unit of length of the sizes, as it is printed.
+    #[arg(long, value_name = "UNIT", default_value = "mm")]
+    pub units: String,
+    /// Form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
+    /// Draw the section with its sizes: FILE.svg or FILE.png.
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

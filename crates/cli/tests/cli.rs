@@ -199,3 +199,40 @@ fn what_is_supported_is_listed() {
         assert!(output.contains(line), "{line} is missing in\n{output}");
     }
 }
+
+/// Truth: b h³/12, 6/5, and Saint-Venant's series of a square, 0.1405770149.
+#[test]
+fn a_section_is_computed_and_drawn() {
+    let folder = TempDir::new().unwrap();
+    let sizes = ["section", "rectangle", "--width", "20", "--height", "20", "--out", "s.svg"];
+    let (status, out, err) = run(&folder, &sizes);
+    assert_eq!((status, err.as_str()), (0, ""));
+    for part in ["22492.32", "13333.33", "mm**4", "1.2", "Saint-Venant", "s.svg"] {
+        assert!(out.contains(part), "{part} is missing in {out}");
+    }
+    assert!(written(&folder, "s.svg").contains("polygon"));
+    let (status, out, _) =
+        run(&folder, &["section", "circle", "--diameter", "2", "--theory", "cowper", "--nu", "0", "--format", "json"]);
+    let report: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(status, 0);
+    assert!((report["z_shear_area_ratio"].as_f64().unwrap() - 7.0 / 6.0).abs() < 1e-15);
+    assert_eq!(report["area_of_cross_section"], std::f64::consts::PI);
+}
+
+#[test]
+fn a_section_that_is_none_is_refused() {
+    let folder = TempDir::new().unwrap();
+    for (arguments, part) in [
+        (&["section", "rectangle", "--width", "20"][..], "needs --height"),
+        (&["section", "circle", "--diameter", "2", "--height", "1"], "has no --height"),
+        (&["section", "tube", "--diameter", "2", "--thickness", "1"], "does not leave room"),
+        (&["section", "circle", "--diameter", "-2"], "must be above 0"),
+        (&["section", "circle", "--diameter", "2", "--nu", "0.7"], "at most 0.5"),
+        (&["section", "circle", "--diameter", "2", "--out", "s.pdf"], ".svg or .png"),
+        (&["section", "hexagon"], "rectangle"),
+    ] {
+        let (status, _, err) = run(&folder, arguments);
+        assert_eq!(status, 2, "{arguments:?}");
+        assert!(err.contains(part), "{part} is missing in {err}");
+    }
+}

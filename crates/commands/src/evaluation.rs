@@ -39,6 +39,26 @@ fn in_scope(expression: &command::Expression, scope: &Scope) -> Result<Outcome, 
     }
 }
 
+/// Binds and evaluates an expression that Flexure itself has written for a cell of `owner`.
+pub fn written(text: &str, database: &Database, world: &World, owner: ObjectId) -> Result<Outcome, Vec<Diagnostic>> {
+    let mut sources = Sources::default();
+    let file = sources.add("<formula>", text);
+    let (tree, mut errors) = command::parse_expression(file, text, 0);
+    if errors.is_empty() {
+        let scope = Scope { owner: Some(owner), ..Scope::new(database, &sources).in_world(world) };
+        match in_scope(&tree, &scope) {
+            Ok(outcome) => return Ok(outcome),
+            Err(found) => errors = found,
+        }
+    }
+    // The text is in no file of the session, so that no place in it can be shown.
+    for error in &mut errors {
+        error.primary = None;
+        error.secondary.clear();
+    }
+    Err(errors)
+}
+
 /// Where an object was wanted, the beginning of an attribute may have been meant as the name of one.
 fn name_what_was_read(
     expression: &command::Expression,

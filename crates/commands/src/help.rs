@@ -146,6 +146,7 @@ pub(crate) fn default_of(field: &Field, creating: bool, database: &Database) -> 
             Some(frame.map_or_else(|| "default global".into(), |f| format!("default {}", database.full_name(f))))
         }
         (Default::Generated, _) => Some("default generated".into()),
+        (Default::Formula(_), _) if creating => Some("default computed from the others".into()),
         _ if creating => default_text(field).map(|text| format!("default {text}")),
         _ => None,
     }

@@ -179,6 +179,10 @@ pub const KEYWORDS: &[(&str, &str)] = &[
     ("measure modify", "angle pt2pt point range query orient object function computed"),
 ];
 
+/// Commands of Adams that are not known in full, and below which Flexure has some of its own: what is not
+/// one of these is skipped like any command that is known by name alone.
+pub const OPEN: &[&str] = &["section", "section create", "section modify"];
+
 /// What it means that a command is not executed, by the longest path that fits.
 pub const MEANINGS: &[(&str, &str)] = &[
     ("view", "only the display in Adams View is concerned"),
@@ -205,7 +209,7 @@ pub const MEANINGS: &[(&str, &str)] = &[
     ("floating_marker", "what refers to this marker cannot be created"),
     ("data_element", "what refers to this data element cannot be evaluated"),
     ("ude", "the user-defined element is missing: a simulation of this model may differ from Adams"),
-    ("section", "the cross section is unknown"),
+    ("section", "the section is not made; `section create rectangle` and its like make cross sections of beams"),
     ("clearance", "no clearance is computed"),
     ("optimize", "nothing is optimised"),
     ("simulation", "nothing is simulated by this command"),

@@ -39,6 +39,7 @@ impl Interpreter {
         self.names.created(&self.database, id);
         self.set_fields(id, call)?;
         self.set_defaults(id, class, group, call)?;
+        self.set_formulas(id, group, call)?;
         ends::generate_markers(self, id, call)?;
         ends::generate_floating(self, id, call)?;
         refusals::joint_of_a_point_mass(&self.database, id, call.span)?;
@@ -362,6 +363,30 @@ impl Interpreter {
             }
         }
         Ok(())
+    }
+
+    /// Fills cells that follow from others of the object, where no value is given.
+    fn set_formulas(&mut self, id: ObjectId, group: &'static Group, call: &Call) -> Outcome<()> {
+        for field in group.fields {
+            let (Default::Formula(formula), false) = (field.default, call.argument(field.name).is_some()) else {
+                continue;
+            };
+            let text = formula.replace('@', &self.database.full_name(id));
+            self.store_written(id, field.name, &text, call.span)?;
+        }
+        Ok(())
+    }
+
+    /// Stores an expression that Flexure itself has written.
+    pub(crate) fn store_written(&mut self, id: ObjectId, cell: &str, text: &str, span: Span) -> Outcome<CellKey> {
+        let number = self.database.object(id).class.cell_index(cell).unwrap_or_default();
+        let outcome = evaluation::written(text, &self.database, &self.world, id).map_err(|errors| {
+            errors.into_iter().map(|e| e.or_at(span, format!("gives no `{cell}`"))).collect::<Vec<_>>()
+        })?;
+        let source = outcome.kept.map_or(model::Source::Literal, |e| model::Source::Expression(Box::new(e)));
+        let key = CellKey::new(id, number);
+        self.store(key, Draft { value: outcome.value, source, reads: outcome.reads });
+        Ok(key)
     }
 
     fn place_at_frame(&mut self, id: ObjectId, name: &str, cell: usize, frame: Option<ObjectId>) {

@@ -231,7 +231,9 @@ impl CommandTree {
                 }
                 _ if self.nodes[node].command.is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
-                _ if self.nodes[node].known_only && self.nodes[node].children.is_empty() => {
+                _ if self.nodes[node].known_only
+                    && (self.nodes[node].children.is_empty() || known::OPEN.contains(&path.join(" ").as_str())) =>
+                {
                     return Path::Found(unsupported(&path.join(" "), &words[at..]));
                 }
                 _ => return Path::Unknown { at, near: self.following(node) },
@@ -240,6 +242,9 @@ impl CommandTree {
         match &self.nodes[node].command {
             Some(command) => Path::Found(command.clone()),
             None if self.nodes[node].known_only && self.nodes[node].children.is_empty() && node != 0 => {
+                Path::Found(unsupported(&path.join(" "), &[]))
+            }
+            None if path.len() > 1 && known::OPEN.contains(&path.join(" ").as_str()) => {
                 Path::Found(unsupported(&path.join(" "), &[]))
             }
             None => Path::Incomplete { next: self.following(node) },

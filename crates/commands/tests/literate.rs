@@ -291,6 +291,11 @@ fn naming() {
 }
 
 #[test]
+fn sections() {
+    run_chapter("sections");
+}
+
+#[test]
 fn session_and_files() {
     run_chapter("session_and_files");
 }

@@ -3,11 +3,13 @@
 
 mod compare;
 pub mod csv;
+mod outline;
 mod picture;
 mod plot;
 mod table;
 
 pub use compare::{Difference, compare};
+pub use outline::{OutlineRequest, SizeMark, TextSide, outline};
 pub use picture::{PictureRequest, Polyline, picture};
 pub use plot::{Format, PlotError, PlotRequest, plot};
 pub use table::{Series, Table};

@@ -71,6 +71,9 @@ pub enum Default {
     CoordinateSystem,
     /// Generated: prefix and number.
     Generated,
+    /// An expression over other cells of the object, which is kept: `@.width * @.height`, where `@`
+    /// stands for the object. Fields it reads come before it.
+    Formula(&'static str),
 }
 
 /// Bounds of a number. A number outside is stored with a warning when it is typed, and refused where
@@ -244,6 +247,12 @@ impl Field {
     /// The current default object stands in; a name given becomes the default.
     pub const fn current(mut self) -> Field {
         self.default = Default::Current;
+        self
+    }
+
+    /// Follows from other cells of the object until a value is given, see [`Default::Formula`].
+    pub const fn formula(mut self, expression: &'static str) -> Field {
+        self.default = Default::Formula(expression);
         self
     }
 

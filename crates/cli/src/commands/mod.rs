@@ -7,6 +7,7 @@ mod fmt;
 mod modes;
 mod plot;
 mod run;
+mod section;
 mod simulate;
 mod support;
 mod verify;
@@ -30,6 +31,7 @@ pub(crate) fn execute(arguments: &Arguments) -> Outcome {
         Command::Verify(verify) => verify::execute(verify),
         Command::Convert(convert) => convert::execute(convert),
         Command::Plot(plot) => plot::execute(plot),
+        Command::Section(section) => section::execute(section),
         Command::Diff(diff) => diff::execute(diff),
         Command::Shell(shell) => crate::shell::execute(shell),
         Command::Fmt(fmt) => fmt::execute(fmt),

@@ -76,6 +76,8 @@ pub const DATA_ELEMENT: VerbEntry = verb(
     "data_element copy",
     &[old("data_element_name", "data_element"), new("new_data_element_name", "data_element")],
 );
+pub const SECTION: VerbEntry =
+    verb("section copy", &[old("section_name", "section"), new("new_section_name", "section")]);
 pub const GROUP: VerbEntry = verb("group copy", &[old("group_name", "group"), new("new_group_name", "group")]);
 pub const SCRIPT: VerbEntry =
     verb("simulation script copy", &[old("sim_script_name", "script"), new("new_sim_script_name", "script")]);

@@ -68,6 +68,7 @@ pub const MEASURE: VerbEntry = verb("measure delete", &[of("measure_name", "meas
 pub const REQUEST: VerbEntry = verb("output_control delete request", &[of("request_name", "request")]);
 pub const SENSOR: VerbEntry = verb("executive_control delete sensor", &[of("sensor_name", "sensor")]);
 pub const MATERIAL: VerbEntry = verb("material delete", &[of("material_name", "material")]);
+pub const SECTION: VerbEntry = verb("section delete", &[of("section_name", "section")]);
 pub const VARIABLE: VerbEntry = verb("variable delete", &[of("variable_name", "variable")]);
 pub const GROUP: VerbEntry = verb("group delete", &[of("group_name", "group")]);
 pub const MACRO: VerbEntry = verb("macro delete", &[of("macro_name", "macro")]);

@@ -22,6 +22,7 @@ mod model;
 mod moving;
 mod name_generation;
 mod scripts;
+mod section;
 mod session;
 mod shared;
 mod simulation;
@@ -111,6 +112,7 @@ pub static ALL: &[&VerbEntry] = &[
     &delete::REQUEST,
     &delete::SENSOR,
     &delete::MATERIAL,
+    &delete::SECTION,
     &delete::VARIABLE,
     &delete::GROUP,
     &delete::MACRO,
@@ -126,9 +128,11 @@ pub static ALL: &[&VerbEntry] = &[
     &copy::GEOMETRY,
     &copy::POINT,
     &copy::DATA_ELEMENT,
+    &copy::SECTION,
     &copy::GROUP,
     &copy::SCRIPT,
     &copy::ENTITY,
+    &section::APPLY,
     &entity::MODIFY,
     &entity::ATTRIBUTES,
     &moving::OBJECT,

@@ -13,6 +13,7 @@ pub mod material;
 pub mod matrix_file;
 pub mod matrix_full;
 pub mod matrix_sparse;
+pub mod section;
 pub mod solver_variable;
 pub mod spline;
 pub mod string;

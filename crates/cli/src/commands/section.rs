@@ -1,0 +1,186 @@
+//! `flexure section`: the properties of a cross section, and a drawing of it.
+
+use comfy_table::{CellAlignment, Table, presets};
+use flexure::results::{Format, OutlineRequest, SizeMark, TextSide, outline};
+use flexure::sections::{Properties, Shape, Side, Theory};
+
+use crate::Outcome;
+use crate::arguments::{DiffFormat, Section, ShearTheory};
+use crate::commands::complain;
+use crate::output::extension;
+
+pub(super) fn execute(request: &Section) -> Outcome {
+    let format = match request.out.as_deref().map(extension).as_deref() {
+        None => None,
+        Some("svg") => Some(Format::Svg),
+        Some("png") => Some(Format::Png),
+        Some(other) => {
+            complain(format_args!("a picture ends in .svg or .png, not in `.{other}`"));
+            return Outcome::Usage;
+        }
+    };
+    let shape = match shape(request) {
+        Ok(shape) => shape,
+        Err(sentence) => {
+            complain(sentence);
+            return Outcome::Usage;
+        }
+    };
+    if !(request.nu > -1.0 && request.nu <= 0.5) {
+        complain(format_args!("Poisson's ratio is {}; it must be above -1 and at most 0.5", request.nu));
+        return Outcome::Usage;
+    }
+    let theory = match request.theory {
+        ShearTheory::Energy => Theory::Energy,
+        ShearTheory::Cowper => Theory::Cowper,
+        ShearTheory::None => Theory::None,
+    };
+    let properties = shape.properties(theory, request.nu);
+    match request.format {
+        DiffFormat::Text => println!("{}", table(request, shape, theory, &properties)),
+        DiffFormat::Json => println!("{:#}", json(request, shape, theory, &properties)),
+    }
+    let (Some(path), Some(format)) = (&request.out, format) else { return Outcome::Fine };
+    let drawn = draw(request, shape, &properties, format).and_then(|bytes| {
+        std::fs::write(path, bytes).map_err(|error| format!("cannot write {}: {error}", path.display()))
+    });
+    match drawn {
+        Ok(()) => {
+            if request.format == DiffFormat::Text {
+                println!("{}", path.display());
+            }
+            Outcome::Fine
+        }
+        Err(sentence) => {
+            complain(sentence);
+            Outcome::Findings
+        }
+    }
+}
+
+/// Every size that was given, with the name of its option.
+fn given(request: &Section) -> [(&'static str, Option<f64>); 6] {
+    [
+        ("width", request.width),
+        ("height", request.height),
+        ("diameter", request.diameter),
+        ("thickness", request.thickness),
+        ("web_thickness", request.web_thickness),
+        ("flange_thickness", request.flange_thickness),
+    ]
+}
+
+/// The sizes a shape has, in the order in which it wants them.
+fn names(kind: &str) -> &'static [&'static str] {
+    Shape::KINDS.iter().find(|(word, _)| *word == kind).map_or(&[], |(_, names)| names)
+}
+
+fn shape(request: &Section) -> Result<Shape, String> {
+    let (kind, given) = (request.kind.as_str(), given(request));
+    let option = |name: &str| format!("--{}", name.replace('_', "-"));
+    let names = names(kind);
+    let list = || names.iter().map(|n| option(n)).collect::<Vec<_>>().join(", ");
+    if let Some((extra, _)) = given.iter().find(|(name, size)| size.is_some() && !names.contains(name)) {
+        return Err(format!("a section `{kind}` has no {}; it has {}", option(extra), list()));
+    }
+    let mut sizes = Vec::new();
+    for name in names {
+        match given.iter().find(|(n, _)| n == name).and_then(|(_, size)| *size) {
+            Some(size) => sizes.push(size),
+            None if kind == "box" && *name == "flange_thickness" => {}
+            None => return Err(format!("a section `{kind}` needs {}; it has {}", option(name), list())),
+        }
+    }
+    Shape::new(kind, &sizes)
+}
+
+/// Name as in commands, symbol, value and unit of every property.
+fn rows(p: &Properties, unit: &str) -> [(&'static str, &'static str, f64, String); 8] {
+    let power = |n: u32| if unit.is_empty() { String::new() } else { format!("{unit}**{n}") };
+    [
+        ("area_of_cross_section", "A", p.area, power(2)),
+        ("ixx", "Ixx", p.ixx, power(4)),
+        ("iyy", "Iyy", p.iyy, power(4)),
+        ("izz", "Izz", p.izz, power(4)),
+        ("y_shear_area_ratio", "ASY", p.asy, String::new()),
+        ("z_shear_area_ratio", "ASZ", p.asz, String::new()),
+        ("y_extreme_fibre", "ey", p.extreme_y, unit.to_string()),
+        ("z_extreme_fibre", "ez", p.extreme_z, unit.to_string()),
+    ]
+}
+
+/// Six digits, without zeros behind them.
+fn shown(x: f64) -> String {
+    if x != 0.0 && !(1e-3..1e7).contains(&x.abs()) {
+        return format!("{x:.6e}");
+    }
+    let decimals = (6 - x.abs().max(1e-3).log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+}
+
+fn table(request: &Section, shape: Shape, theory: Theory, properties: &Properties) -> Table {
+    let mut table = Table::new();
+    table.load_preset(presets::ASCII_BORDERS_ONLY_CONDENSED);
+    table.set_header(["property", "value", "unit", "from"]);
+    let notes = shape.notes(theory);
+    for (name, _, value, unit) in rows(properties, &request.units) {
+        let note = notes.iter().find(|n| n.of == name).map_or("", |n| n.text);
+        table.add_row([name.to_string(), shown(value), unit, note.to_string()]);
+    }
+    if let Some(column) = table.column_mut(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+fn json(request: &Section, shape: Shape, theory: Theory, properties: &Properties) -> serde_json::Value {
+    let sizes = given(request).into_iter().filter_map(|(name, size)| Some((name.to_string(), size?.into())));
+    let mut all = serde_json::json!({
+        "kind": shape.kind(),
+        "sizes": serde_json::Value::Object(sizes.collect()),
+        "length_unit": request.units,
+        "shear_theory": match theory { Theory::None => "none", Theory::Energy => "energy", Theory::Cowper => "cowper" },
+        "poisson_ratio": request.nu,
+    });
+    for (name, _, value, _) in rows(properties, &request.units) {
+        all[name] = value.into();
+    }
+    for note in shape.notes(theory) {
+        all["from"][note.of] = note.text.into();
+    }
+    all
+}
+
+fn draw(request: &Section, shape: Shape, properties: &Properties, format: Format) -> Result<Vec<u8>, String> {
+    let side = |side| match side {
+        Side::Left => TextSide::Left,
+        Side::Right => TextSide::Right,
+        Side::Above => TextSide::Above,
+        Side::Below => TextSide::Below,
+    };
+    let marks: Vec<SizeMark> = shape
+        .marks()
+        .into_iter()
+        .map(|m| SizeMark { from: m.from, to: m.to, text: shown(m.size), side: side(m.side) })
+        .collect();
+    let mut lines: Vec<String> = rows(properties, &request.units)
+        .into_iter()
+        .map(|(_, symbol, value, unit)| {
+            format!("{symbol} = {} {}", shown(value), unit.replace("**2", "²").replace("**4", "⁴"))
+        })
+        .collect();
+    lines.push(String::new());
+    lines.push("x of J points to the viewer".into());
+    let title = format!("{} ({})", shape.kind(), request.units);
+    outline(&OutlineRequest {
+        title: &title,
+        outlines: &shape.outlines(),
+        axes: ["y", "z"],
+        marks: &marks,
+        lines: &lines,
+        size: (900, 560),
+        format,
+    })
+    .map_err(|error| error.to_string())
+}
