@@ -139,3 +139,14 @@ fn a_part_without_mass_that_can_move_is_named() {
     b.add("part", b.model, "p");
     assert_eq!(found_codes(&b), ["part/no-mass", "part/no-mass-but-free"]);
 }
+
+/// Truth: 25 degrees are three beams with at most 10 degrees each.
+#[test]
+fn a_bent_beam_says_how_many_would_do() {
+    let (mut b, _) = beam_with_i_at(5000.0, 5000.0);
+    let marker = b.database.find(".m.p.i", "marker").unwrap();
+    b.numbers(marker, "orientation", &[25.0, 0.0, 0.0]);
+    let found = found(&b);
+    let axes = found.iter().find(|f| f.diagnostic.code == "beam/axes").unwrap();
+    assert!(axes.diagnostic.helps[0].text.contains("3 beams"), "{axes:?}");
+}

@@ -52,6 +52,8 @@ pub struct Concern {
     pub size: f64,
     /// `degrees`, `mm`.
     pub unit: &'static str,
+    /// How many elements in place of this one would be free of it, where that helps.
+    pub pieces: Option<u32>,
 }
 
 /// An element that applies loads.

@@ -7,6 +7,7 @@ mod engine;
 mod fixes;
 mod layout;
 mod modes;
+mod overdamped;
 mod persistence;
 mod run;
 mod session;

@@ -324,10 +324,9 @@ impl Session {
     /// Degrees of freedom, redundant constraints, and the traps.
     pub fn verify(&self) -> Verification {
         let Some(model) = self.model() else { return Verification::default() };
-        Verification {
-            report: elements::verify_report(self.database(), model),
-            findings: elements::verify(self.database(), model),
-        }
+        let mut findings = elements::verify(self.database(), model);
+        findings.extend(crate::overdamped::find(self.database(), model));
+        Verification { report: elements::verify_report(self.database(), model), findings }
     }
 
     /// Executes the commands that mend findings.

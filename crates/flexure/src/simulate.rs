@@ -488,7 +488,7 @@ fn note(noted: &mut Vec<Noted>, observer: &mut dyn RunObserver, index: usize, na
         Some(known) if concern.size > known.concern.size => (known.concern, known.time) = (concern, time),
         Some(_) => {}
         None => {
-            let Concern { sentence, size, unit } = concern;
+            let Concern { sentence, size, unit, .. } = concern;
             observer.message(&format!("WARNING: {name}: {sentence} ({size:.1} {unit}), first at t = {time:.6} s"));
             noted.push(Noted { index, name: name.to_string(), concern, time });
         }
@@ -511,8 +511,9 @@ fn concern_warnings(noted: &[Noted]) -> Vec<Diagnostic> {
             None => format!("{names} {kind}"),
         };
         of_kind.iter().fold(Diagnostic::warning("run/beyond-validity", text), |warning, noted| {
-            let Concern { size, unit, .. } = noted.concern;
-            warning.note(format!("{}: {size:.1} {unit} at t = {:.4} s", noted.name, noted.time))
+            let Concern { size, unit, pieces, .. } = noted.concern;
+            let instead = pieces.map_or_else(String::new, |n| format!("; {n} in its place would do"));
+            warning.note(format!("{}: {size:.1} {unit} at t = {:.4} s{instead}", noted.name, noted.time))
         })
     };
     kinds.into_iter().map(warning).collect()

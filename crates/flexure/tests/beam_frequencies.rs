@@ -115,3 +115,20 @@ fn a_damping_ratio_damps_each_mode_in_proportion_to_its_frequency() {
         assert!((mode.damping_ratio / expected - 1.0).abs() < 1e-6, "{} {expected}", mode.damping_ratio);
     }
 }
+
+/// Truth: C = ratio K damps a mode of w critically at ratio = 2 / w; the lowest has w = 3.516 (1.0006 times
+/// that for eight segments), so 0.5685 s is critical for it and all others are beyond.
+#[test]
+fn a_damping_ratio_that_stops_every_swing_is_found() {
+    for (ratio, wanted) in [(0.56, false), (0.575, true)] {
+        let mut session = Session::new();
+        assert_eq!(session.execute(&segments(8)).failed, 0);
+        for index in 1..=8 {
+            let text = format!("force modify element_like beam beam_name=.m.b{index} damping_ratio={ratio}");
+            assert_eq!(session.execute(&text).failed, 0);
+        }
+        let found = session.verify().findings;
+        let found = found.iter().find(|f| f.diagnostic.code == "beam/overdamped");
+        assert_eq!(found.is_some(), wanted, "{ratio}: {found:?}");
+    }
+}

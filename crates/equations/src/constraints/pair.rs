@@ -264,6 +264,6 @@ impl Constraint for Pair {
         let against = self.same_way.iter().map(|&axis| i.axis(axis).dot(j.axis(axis))).fold(1.0, f64::min);
         let sentence = "the axes of its markers point opposite ways";
         let size = against.clamp(-1.0, 1.0).acos().to_degrees();
-        (against < 0.0).then_some(Concern { sentence, size, unit: "degrees" })
+        (against < 0.0).then_some(Concern { sentence, size, unit: "degrees", pieces: None })
     }
 }

@@ -44,6 +44,7 @@ impl elastic::Law for Law {
                 (SMALL_ANGLE, "bent or twisted beyond what a linear beam describes")
             }
         };
-        (angle > limit).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees" })
+        let pieces = Some((angle / limit).ceil() as u32);
+        (angle > limit).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees", pieces })
     }
 }

@@ -143,12 +143,20 @@ fn place(database: &Database, beam: ObjectId, s: &Section, at: &Placement, findi
                 format!("the axes of I and J of beam `{name}` are {} degrees apart", number(angle.to_degrees())),
             )
             .note("a beam is unloaded when I has the axes of J, and describes angles up to about 10 degrees")
-            .help("turn I so that its axes are those of J"),
+            .help(format!(
+                "turn I so that its axes are those of J, or share the angle among {} beams",
+                beams_for(angle)
+            )),
         ));
     }
     if let Ok(law) = law(database, beam, false) {
         preload(database, beam, &law, at, findings);
     }
+}
+
+/// How many linear beams in a row share an angle so that none sees more than [`SMALL_ANGLE`].
+fn beams_for(angle: f64) -> u32 {
+    (angle / SMALL_ANGLE).ceil().max(1.0) as u32
 }
 
 /// The load at the start, if it is more than rounding.
@@ -186,14 +194,19 @@ fn data(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Fin
     }
     for (cell, ratio) in [("y_shear_area_ratio", s.asy), ("z_shear_area_ratio", s.asz)] {
         if ratio > 0.0 && ratio < 1.0 {
-            findings.push(Finding::new(
-                Diagnostic::warning(
-                    "beam/shear-ratio",
-                    format!("`{cell}` of beam `{name}` is {}, which is not possible below 1", number(ratio)),
+            findings.push(
+                Finding::new(
+                    Diagnostic::warning(
+                        "beam/shear-ratio",
+                        format!("`{cell}` of beam `{name}` is {}, which is not possible below 1", number(ratio)),
+                    )
+                    .note(
+                        "it is the area over the shear area: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube",
+                    )
+                    .help(format!("give the inverse, {}, or 0 for no shear deflection", number(1.0 / ratio))),
                 )
-                .note("it is the area over the shear area: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube")
-                .help(format!("give the inverse, {}, or 0 for no shear deflection", number(1.0 / ratio))),
-            ));
+                .fixed_by(format!("force modify element_like beam beam_name={name} {cell}={}", number(1.0 / ratio))),
+            );
         }
     }
     let is_one = |cell: &str| {
@@ -213,6 +226,8 @@ fn data(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Fin
         ));
     }
     let polar = s.iyy + s.izz;
+    // Saint-Venant's estimate for solid sections: within 10 percent for rectangles of any shape.
+    let torsion = s.area.powi(4) / (40.0 * polar);
     if s.iyy > 0.0 && s.izz > 0.0 && s.iyy != s.izz && (s.ixx - polar).abs() < 1e-6 * polar {
         findings.push(Finding::new(
             Diagnostic::warning(
@@ -220,15 +235,21 @@ fn data(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Fin
                 format!("`ixx` of beam `{name}` is the polar moment iyy + izz of a section that is not round"),
             )
             .note("ixx is the torsion constant, which is smaller than the polar moment unless the section is round")
-            .help("give the torsion constant of the section"),
+            .help(format!(
+                "give the torsion constant of the section; Saint-Venant's estimate A^4 / (40 (iyy + izz)) for a solid one is {}",
+                number(torsion / database.units().factor(Dimension::AREA_INERTIA))
+            )),
         ));
     }
     let ratio = database.number(beam, "damping_ratio").unwrap_or(0.0);
     if ratio != 0.0 && database.value(beam, "matrix_of_damping_terms").is_some() {
-        findings.push(Finding::new(
-            Diagnostic::warning("beam/damping-twice", format!("the damping of beam `{name}` is given twice"))
-                .note("`matrix_of_damping_terms` is used and `damping_ratio` is not")
-                .help(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
-        ));
+        findings.push(
+            Finding::new(
+                Diagnostic::warning("beam/damping-twice", format!("the damping of beam `{name}` is given twice"))
+                    .note("`matrix_of_damping_terms` is used and `damping_ratio` is not")
+                    .help("set `damping_ratio` to 0, or modify the beam without the matrix"),
+            )
+            .fixed_by(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
+        );
     }
 }

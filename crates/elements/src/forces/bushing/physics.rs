@@ -65,7 +65,12 @@ impl Law for Rates {
         let mut angles = projected_angles(&motion.rot_ji).map(f64::abs);
         angles.sort_by(f64::total_cmp);
         let sentence = "turned about two axes at once beyond what the angles of a bushing describe";
-        (angles[1] > SMALL_ANGLE).then_some(Concern { sentence, size: angles[1].to_degrees(), unit: "degrees" })
+        (angles[1] > SMALL_ANGLE).then_some(Concern {
+            sentence,
+            size: angles[1].to_degrees(),
+            unit: "degrees",
+            pieces: None,
+        })
     }
 }
 
