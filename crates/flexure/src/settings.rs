@@ -155,6 +155,13 @@ pub(crate) fn static_options(
     if let Some(most) = real("MAXIT", "maxit") {
         options.maxit = options.maxit.max(most as usize);
     }
+    // Looser tolerances than the defaults would save nothing.
+    if let Some(error) = real("ERROR", "error").filter(|e| *e > 0.0) {
+        options.error = options.error.min(error);
+    }
+    if let Some(imbalance) = real("IMBALANCE", "imbalance").filter(|i| *i > 0.0) {
+        options.imbalance = options.imbalance.min(imbalance);
+    }
     if let Some(stability) = real("STABILITY", "stability") {
         options.stability = stability;
     }

@@ -15,6 +15,11 @@ use crate::linear::{FactorKind, NewtonMatrix};
 use crate::state::Norm;
 use crate::{Control, Dae, Evaluation, Failure, JacobianPoint, Observer, Progress, Reason, Statistics, SystemState};
 
+/// Corrections, in model length units and radians, that may be rounding.
+const TINY: f64 = 1e-7;
+/// Corrections in the same units, and forces in N, that may be left where no more can be reached.
+const ENOUGH: f64 = 1e-4;
+
 /// How to look for the equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StaticOptions {
@@ -302,11 +307,13 @@ impl<'a> Search<'a> {
             }
             // On the way corrections need to be small only as seen from the next step.
             let limit = if matches!(goal, Goal::Balance) { 1.0 } else { self.loose };
-            if factor >= 1.0 && size <= limit {
-                // Rounding of stiff structures can keep the balance above its limit: stop when the
-                // corrections are far below theirs and do not shrink any more.
-                let stuck = size <= 1e-3 && size >= 0.5 * last;
-                let balanced = largest(&self.right[..n]).1 <= self.options.imbalance;
+            // Rounding of stiff structures can keep the balance above its limit, and the corrections
+            // above theirs if that is very small: stop when they do not shrink any more.
+            let (imbalance, moved) = (largest(&self.right[..n]).1, size * self.options.error);
+            let small = moved <= TINY || (moved <= ENOUGH && imbalance <= ENOUGH);
+            let stuck = (size <= 1e-3 || small) && size >= 0.5 * last;
+            if factor >= 1.0 && (size <= limit || stuck) {
+                let balanced = imbalance <= self.options.imbalance;
                 if balanced || stuck || !matches!(goal, Goal::Balance) {
                     self.statistics.steps += 1;
                     return Outcome::Converged;

@@ -56,6 +56,8 @@ fn to_hessenberg(a: &mut Matrix) -> Matrix {
 
 /// Iterations allowed for one eigenvalue; the usual number is two to four.
 const ITERATIONS: usize = 90;
+/// Iterations after which the rounding of the whole matrix is accepted.
+const PATIENCE: usize = 30;
 
 impl Schur {
     fn iterate(&mut self) -> Option<()> {
@@ -64,7 +66,10 @@ impl Schur {
         let mut iterations = 0;
         while end > 0 {
             let last = end - 1;
-            let start = self.split(last, norm);
+            // What is small beside the neighbours keeps small eigenvalues sharp. Where rounding of the
+            // large ones does not let it come to that, small beside the whole matrix must do.
+            let least = if iterations > PATIENCE { norm * 8.0 * self.form.rows() as f64 } else { 0.0 };
+            let start = self.split(last, norm, least);
             if start == last {
                 end -= 1;
                 iterations = 0;
@@ -84,14 +89,15 @@ impl Schur {
     }
 
     /// First row of the block that ends at `last` and has no negligible subdiagonal.
-    fn split(&mut self, last: usize, norm: f64) -> usize {
+    /// Entries count as negligible beside their neighbours, or beside `least`.
+    fn split(&mut self, last: usize, norm: f64, least: f64) -> usize {
         let h = &mut self.form;
         for i in (1..=last).rev() {
             let mut size = h[(i - 1, i - 1)].abs() + h[(i, i)].abs();
             if size == 0.0 {
                 size = norm;
             }
-            if h[(i, i - 1)].abs() <= f64::EPSILON * size {
+            if h[(i, i - 1)].abs() <= f64::EPSILON * size.max(least) {
                 h[(i, i - 1)] = 0.0;
                 return i;
             }
