@@ -51,6 +51,26 @@ pub struct Edits {
     pub commands: Vec<String>,
 }
 
+/// How angles of LINEAR and STRING beams are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Angles {
+    /// Each about its own axis of J, like the functions AX, AY and AZ.
+    Projected,
+    /// Components of the rotation vector.
+    Rotvec,
+}
+
+/// Options for what the public description of beams leaves open.
+#[derive(Debug, Args)]
+pub struct Beams {
+    /// How LINEAR and STRING beams measure the rotation of I from J.
+    #[arg(long, value_enum, default_value = "projected", value_name = "HOW")]
+    pub beam_angles: Angles,
+    /// Let NONLINEAR beams shear by their shear ratios.
+    #[arg(long)]
+    pub nonlinear_shear: bool,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum OnError {
     /// Stop the file at the first error.
@@ -66,6 +86,8 @@ pub struct Run {
     pub files: Vec<PathBuf>,
     #[command(flatten)]
     pub edits: Edits,
+    #[command(flatten)]
+    pub beams: Beams,
     /// Folder for results.
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
@@ -89,6 +111,8 @@ pub struct Simulate {
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
+    #[command(flatten)]
+    pub beams: Beams,
     /// Static equilibrium first; alone: only the equilibrium.
     #[arg(long = "static")]
     pub statics: bool,
@@ -127,6 +151,8 @@ pub struct Modes {
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
+    #[command(flatten)]
+    pub beams: Beams,
     /// About the static equilibrium.
     #[arg(long = "static", conflicts_with = "spin")]
     pub statics: bool,

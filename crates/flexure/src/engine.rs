@@ -29,7 +29,8 @@ pub(crate) struct Engine {
     pub idle: bool,
     /// Commands write no file.
     pub read_only: bool,
-    pub record_all: bool,
+    /// What runs record, and how beams are taken.
+    pub lowering: elements::Options,
     /// Folder of the file being read; relative paths are tried there too.
     pub folder: Option<PathBuf>,
     /// What the runs that commands asked for began with: joints that are apart, odd inertias.
@@ -47,7 +48,7 @@ impl Default for Engine {
             runs: Vec::new(),
             idle: false,
             read_only: false,
-            record_all: false,
+            lowering: elements::Options::default(),
             folder: None,
             warnings: Vec::new(),
             count: 0,
@@ -120,7 +121,7 @@ impl Engine {
         }
         let from = self.left_state(database, model).map(|left| left.state.clone());
         let simulation =
-            Simulation { database, model, number: self.count, record_all: self.record_all, options, settings, from };
+            Simulation { database, model, number: self.count, lowering: self.lowering, options, settings, from };
         let (run, state, warnings) = simulate::run(&simulation, self.observer.as_mut())?;
         self.warnings = warnings;
         self.left = Some(Left { model, revision: database.revision(), state });
@@ -135,7 +136,8 @@ impl Engine {
         about: &ModesAbout,
     ) -> Result<ModesReport, Vec<Diagnostic>> {
         let from = self.left_state(database, model).map(|left| left.state.clone());
-        modes::find(database, model, from, about, self.observer.as_mut())
+        let lowering = elements::Options { record_all: false, ..self.lowering };
+        modes::find(database, model, from, about, lowering, self.observer.as_mut())
     }
 
     fn left_state(&self, database: &Database, model: ObjectId) -> Option<&Left> {

@@ -22,7 +22,7 @@ pub use fixes::{Fixed, apply_fixes};
 pub use layout::Layout;
 pub use modes::{Mode, ModesAbout, ModesReport};
 pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
-pub use session::{Report, Session, Verification};
+pub use session::{BeamAngles, Report, Session, Verification};
 pub use settings::{Analysis, Outputs, SimulationOptions};
 pub use support::{Support, support};
 pub use window::{Candidate, Completion};

@@ -84,9 +84,10 @@ pub(crate) fn find(
     model: ObjectId,
     from: Option<SystemState>,
     about: &ModesAbout,
+    lowering: elements::Options,
     observer: &mut dyn RunObserver,
 ) -> Result<ModesReport, Vec<Diagnostic>> {
-    let mut prepared = prepare(database, model, from, false)?;
+    let mut prepared = prepare(database, model, from, lowering)?;
     prepared.messages.iter().for_each(|m| observer.message(m));
     let (system, state) = (&mut prepared.lowered.system, &mut prepared.state);
     let options = static_options(database, model, &[]);

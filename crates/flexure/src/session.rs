@@ -38,6 +38,16 @@ pub struct Verification {
     pub findings: Vec<Finding>,
 }
 
+/// How the three angles of a LINEAR or STRING beam come from the rotation of I from J.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BeamAngles {
+    /// Each about its own axis of J, as the functions AX, AY and AZ have them.
+    #[default]
+    Projected,
+    /// The components of the rotation vector.
+    RotationVector,
+}
+
 /// A session.
 pub struct Session {
     pub(crate) interpreter: Interpreter,
@@ -102,7 +112,17 @@ impl Session {
 
     /// Whether runs record every part, joint, motion and force beside requests and measures.
     pub fn record_everything(&mut self, all: bool) {
-        self.engine().record_all = all;
+        self.engine().lowering.record_all = all;
+    }
+
+    /// How LINEAR and STRING beams measure the rotation of I from J. All agree for small angles.
+    pub fn measure_beam_angles(&mut self, angles: BeamAngles) {
+        self.engine().lowering.rotation_vector = angles == BeamAngles::RotationVector;
+    }
+
+    /// Whether NONLINEAR beams shear by their shear ratios. Adams' do not (Euler and Bernoulli).
+    pub fn shear_nonlinear_beams(&mut self, shear: bool) {
+        self.engine().lowering.nonlinear_shear = shear;
     }
 
     /// A flag that stops execution before the next command.

@@ -21,7 +21,7 @@ pub(crate) struct Simulation<'a> {
     pub model: ObjectId,
     /// Number of the run in the session.
     pub number: usize,
-    pub record_all: bool,
+    pub lowering: Options,
     pub options: &'a SimulationOptions,
     /// Settings that solver commands gave for this run.
     pub settings: &'a [(String, String, String)],
@@ -46,7 +46,7 @@ pub(crate) fn run(
     observer: &mut dyn RunObserver,
 ) -> Result<(Run, SystemState, Vec<Diagnostic>), Vec<Diagnostic>> {
     let Simulation { database, model, .. } = *simulation;
-    let prepared = prepare(database, model, simulation.from.clone(), simulation.record_all)?;
+    let prepared = prepare(database, model, simulation.from.clone(), simulation.lowering)?;
     let Prepared { lowered, mut state, mut messages, warnings, freedom } = prepared;
     let analysis = settle(simulation.options.analysis, freedom, &mut messages)?;
     // Whatever is wrong with the settings is said before results of an earlier run are touched.
@@ -91,9 +91,9 @@ pub(crate) fn prepare(
     database: &Database,
     model: ObjectId,
     from: Option<SystemState>,
-    record_all: bool,
+    lowering: Options,
 ) -> Result<Prepared, Vec<Diagnostic>> {
-    let mut lowered = elements::lower(database, model, Options { record_all, ..Options::default() })?;
+    let mut lowered = elements::lower(database, model, lowering)?;
     let system = &mut lowered.system;
     system.set_length_unit(database.units().length.si);
     let (q, v) = system.initial_state();

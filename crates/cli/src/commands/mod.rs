@@ -16,10 +16,10 @@ use std::io::{IsTerminal, Read};
 use std::mem::ManuallyDrop;
 use std::path::Path;
 
-use flexure::{Report, Session};
+use flexure::{BeamAngles, Report, Session};
 use text::Diagnostic;
 
-use crate::arguments::{Arguments, Command, Edits};
+use crate::arguments::{Angles, Arguments, Beams, Command, Edits};
 use crate::{Outcome, interrupt};
 
 pub(crate) fn execute(arguments: &Arguments) -> Outcome {
@@ -45,6 +45,15 @@ pub(crate) fn session() -> ManuallyDrop<Session> {
     let mut session = Session::new();
     session.set_interrupt(interrupt::flag());
     ManuallyDrop::new(session)
+}
+
+/// How the session takes beams from now on.
+pub(crate) fn set_beams(session: &mut Session, beams: &Beams) {
+    session.measure_beam_angles(match beams.beam_angles {
+        Angles::Projected => BeamAngles::Projected,
+        Angles::Rotvec => BeamAngles::RotationVector,
+    });
+    session.shear_nonlinear_beams(beams.nonlinear_shear);
 }
 
 /// Diagnostics printed of one report; a file that is no command file has thousands.
@@ -85,14 +94,14 @@ pub(crate) fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
     let report = read(session, path);
     print(session, &report.diagnostics);
     let mut sound = !report.has_errors();
-    if session.model().is_none() && sound {
-        complain(format_args!("{} creates no model", path.display()));
-        return false;
-    }
     for command in &edits.commands {
         let report = session.execute(command);
         print(session, &report.diagnostics);
         sound &= !report.has_errors();
+    }
+    if session.model().is_none() && sound {
+        complain(format_args!("{} creates no model", path.display()));
+        return false;
     }
     sound
 }

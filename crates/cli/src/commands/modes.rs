@@ -7,10 +7,11 @@ use flexure::{Mode, ModesAbout};
 
 use crate::Outcome;
 use crate::arguments::Modes;
-use crate::commands::{complain, open, print, session};
+use crate::commands::{complain, open, print, session, set_beams};
 
 pub(super) fn execute(modes: &Modes) -> Outcome {
     let mut session = session();
+    set_beams(&mut session, &modes.beams);
     session.simulate_nothing(true);
     if !open(&mut session, &modes.model, &modes.edits) {
         return Outcome::Findings;

@@ -3,13 +3,14 @@
 use std::sync::PoisonError;
 
 use crate::arguments::{OnError, Run};
-use crate::commands::{complain, count, print, read, session};
+use crate::commands::{complain, count, print, read, session, set_beams};
 use crate::output::Target;
 use crate::progress::Watcher;
 use crate::{Outcome, interrupt};
 
 pub(super) fn execute(run: &Run) -> Outcome {
     let mut session = session();
+    set_beams(&mut session, &run.beams);
     session.abort_on_error(run.strict || run.on_error == OnError::Abort);
     session.record_everything(run.all);
     if let Some(path) = &run.journal

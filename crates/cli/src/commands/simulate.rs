@@ -6,7 +6,7 @@ use flexure::{Analysis, Outputs, SimulationOptions};
 
 use crate::Outcome;
 use crate::arguments::Simulate;
-use crate::commands::{complain, open, print, session};
+use crate::commands::{complain, open, print, session, set_beams};
 use crate::output::{Target, extension};
 use crate::progress::Watcher;
 
@@ -17,6 +17,7 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
         return Outcome::Usage;
     }
     let mut session = session();
+    set_beams(&mut session, &simulate.beams);
     session.simulate_nothing(true);
     session.record_everything(simulate.all);
     if !open(&mut session, &simulate.model, &simulate.edits) {
