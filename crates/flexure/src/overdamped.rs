@@ -22,7 +22,8 @@ pub(crate) fn find(database: &Database, model: ObjectId) -> Option<Finding> {
     if database.below(model, "part").len() > MOST_PARTS {
         return None;
     }
-    let found = modes::find(database, model, None, &ModesAbout::Present, &mut Silent).ok()?.modes;
+    let options = elements::Options::default();
+    let found = modes::find(database, model, None, &ModesAbout::Present, options, &mut Silent).ok()?.modes;
     let elastic = |m: &&modes::Mode| m.real.hypot(m.imaginary) > 1e-3;
     let slowest = found.iter().find(elastic)?;
     // Many overdamped motions creep at nearly the same rate; rounding gives such roots a tiny imaginary part.
