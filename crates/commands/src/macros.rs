@@ -376,6 +376,8 @@ fn placeholder(text: &str) -> (&str, &str, usize) {
             closes || !quoted && depth == 0 && c.is_whitespace()
         })
         .map_or(text.len(), |s| s + end);
+    // A comma before a blank goes on with the list that the parameter stands in.
+    let stop = end + text[end..stop].trim_end_matches(',').len();
     (name, &text[end + 1..stop], stop)
 }
 
@@ -501,6 +503,12 @@ impl Macros {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_comma_behind_a_type_belongs_to_the_list() {
+        assert_eq!(placeholder("x:t=real, 0, 0"), ("x", "t=real", 8));
+        assert_eq!(placeholder("x:t=real:c=1,3 y"), ("x", "t=real:c=1,3", 14));
+    }
 
     #[test]
     fn parameters_are_declared_by_their_first_use() {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use flexure_commands::{Interpreter, OnError, Report};
+use flexure_commands::{Interpreter, Journal, OnError, Report};
 use proptest::prelude::*;
 
 fn command_files(folder: &Path, found: &mut Vec<PathBuf>) {
@@ -143,5 +143,22 @@ proptest! {
         let mut second = session();
         let report = second.run_text("export", &after);
         prop_assert!(!report.has_errors(), "{:#?}\n{}", report.diagnostics, after);
+    }
+
+    /// The journal of any sequence, with its refused commands and undo in between, builds the same model.
+    #[test]
+    fn the_journal_of_any_sequence_builds_the_same_model(
+        commands in prop::collection::vec(prop_oneof![8 => command(), 1 => Just("undo backward".to_string()), 1 => Just("undo forward".to_string())], 1..25)
+    ) {
+        let mut first = session();
+        first.journal = Some(Journal::default());
+        first.execute(FIXTURE);
+        for text in &commands {
+            first.execute(text);
+        }
+        let journal = first.journal.as_ref().map(Journal::text).unwrap_or_default();
+        let mut second = session();
+        second.run_text("journal", &journal);
+        prop_assert_eq!(export(&second), export(&first), "{}", journal);
     }
 }
