@@ -118,6 +118,11 @@ pub trait Host: Send {
         Err(vec![unavailable("the mass of a body")])
     }
 
+    /// Natural frequencies, Hz, of the model that commands build in a session of their own.
+    fn natural_frequencies(&self, _commands: &str) -> Result<Vec<f64>, Vec<Diagnostic>> {
+        Err(vec![unavailable("the frequencies of a model")])
+    }
+
     /// Whether commands may write files; a session that only checks leaves them alone.
     fn may_write(&self) -> bool {
         true

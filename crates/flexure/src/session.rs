@@ -443,6 +443,24 @@ impl Host for EngineHost {
         Ok(BodyMass { mass: found.mass, centre: found.centre, inertia: found.inertia_c_b })
     }
 
+    fn natural_frequencies(&self, commands: &str) -> Result<Vec<f64>, Vec<Diagnostic>> {
+        let mut session = Session::new();
+        session.touch_nothing(true);
+        let report = session.execute(commands);
+        let found = if report.has_errors() { Err(report.diagnostics) } else { session.modes(&ModesAbout::Present) };
+        match found {
+            Ok(found) => Ok(found.modes.iter().map(|m| m.frequency_hz).collect()),
+            Err(mut diagnostics) => {
+                // Places in that session's text mean nothing in this one.
+                for diagnostic in &mut diagnostics {
+                    diagnostic.primary = None;
+                    diagnostic.secondary.clear();
+                }
+                Err(diagnostics)
+            }
+        }
+    }
+
     fn show(&mut self, lines: &[String]) {
         let mut engine = lock(&self.0);
         lines.iter().for_each(|line| engine.observer.message(line));

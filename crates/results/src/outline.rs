@@ -82,7 +82,8 @@ impl Frame {
             }
         }
         let extent = [high[0] - low[0], high[1] - low[1]];
-        if !(extent[0].max(extent[1]) > 0.0) {
+        let size = extent[0].max(extent[1]);
+        if size.is_nan() || size <= 0.0 {
             return None;
         }
         let beside = if request.lines.is_empty() { 0.0 } else { BESIDE };

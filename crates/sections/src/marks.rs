@@ -49,7 +49,8 @@ impl Shape {
         match self {
             Shape::Circle { .. } => vec![below("diameter")],
             Shape::Tube { thickness, .. } => {
-                vec![below("diameter"), across("thickness", thickness, y - thickness, 0.0)]
+                let wall = Mark { side: Side::Left, ..across("thickness", thickness, -y, 0.0) };
+                vec![below("diameter"), wall]
             }
             Shape::Rectangle { .. } | Shape::Ellipse { .. } => vec![below("width"), beside],
             Shape::Box(boxed::Walls { web, flange, .. }) => {

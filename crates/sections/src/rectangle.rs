@@ -44,7 +44,7 @@ pub fn torsion(width: f64, height: f64) -> f64 {
 }
 
 /// Σ n^-5 over odd n = 31/32 ζ(5).
-const ODD_FIFTH_POWERS: f64 = 31.0 / 32.0 * 1.036_927_755_143_369_9;
+const ODD_FIFTH_POWERS: f64 = 31.0 / 32.0 * 1.036_927_755_143_37;
 
 /// Eq. (R.3), the same along both sides.
 #[must_use]

@@ -12,6 +12,7 @@ mod defaults;
 mod delete;
 mod entity;
 mod file;
+mod flexible_link;
 mod foreign;
 pub(crate) mod group;
 mod list;
@@ -133,6 +134,8 @@ pub static ALL: &[&VerbEntry] = &[
     &copy::SCRIPT,
     &copy::ENTITY,
     &section::APPLY,
+    &flexible_link::CREATE,
+    &flexible_link::REPORT,
     &entity::MODIFY,
     &entity::ATTRIBUTES,
     &moving::OBJECT,
