@@ -18,11 +18,12 @@ fn the_cells_of_a_section_are_what_its_shape_has() {
         sizes.into_iter().zip([("energy", Theory::Energy), ("cowper", Theory::Cowper)].into_iter().cycle())
     {
         let (_, names) = Shape::KINDS.iter().find(|(k, _)| *k == kind).unwrap();
-        let given: String = names.iter().zip(sizes).map(|(name, size)| format!(" {name}={size}")).collect();
+        let given: Vec<String> = names.iter().zip(sizes).map(|(name, size)| format!("{name}={size}")).collect();
         let mut session = Session::new();
         let report = session.execute(&format!(
             "model create model_name=m\n\
-             section create {kind} section_name=.m.s poisson_ratio=0.25 shear_theory={word}{given}"
+             section create {kind} section_name=.m.s poisson_ratio=0.25 shear_theory={word} {}",
+            given.join(" ")
         ));
         assert!(report.diagnostics.is_empty(), "{}", session.render(&report.diagnostics, false));
         let p = Shape::new(kind, sizes).unwrap().properties(theory, 0.25);
