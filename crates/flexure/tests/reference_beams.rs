@@ -560,7 +560,8 @@ fn beams_meet_the_reference_cases() {
             let off = wanted.iter().zip(values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             met += 1;
             worst = worst.max(off / allowed);
-            if wanted.len() != values.len() || !(off <= allowed) {
+            let within = off <= allowed;
+            if wanted.len() != values.len() || !within {
                 wrong.push(format!("{id} {name}: {values:?}, not {wanted:?} ({off:.1e} > {allowed:.1e})"));
             }
         }

@@ -55,7 +55,8 @@ pub fn trouble(run: &Run) -> Option<String> {
     for index in 0.. {
         let all: Option<Vec<&[f64]>> = (0..15).map(|n| series(index, n)).collect();
         let Some(all) = all else { break };
-        for row in 0..all[0].len() {
+        let [first, ..] = all.as_slice() else { break };
+        for (row, _) in first.iter().enumerate() {
             let v = |n: usize| [all[n][row], all[n + 1][row], all[n + 2][row]];
             let (force_i, torque_i, force_j, torque_j, arm) = (v(0), v(3), v(6), v(9), v(12));
             for k in 0..3 {

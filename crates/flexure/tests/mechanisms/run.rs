@@ -23,7 +23,8 @@ pub fn troubles(folder: &Path, models: &[String], case: &Case) -> Vec<String> {
         let named = case.columns.iter().cloned().zip(row.iter().copied());
         let (expected, inputs): (Inputs, Inputs) = named.partition(|(name, _)| case.find.contains_key(name));
         let found = find_all(folder, models, case, &inputs, &expected);
-        let where_ = format!("{} {inputs:?}", case.name);
+        let ours = case.differs.as_deref().map_or_else(String::new, |why| format!(" (ours, because {why})"));
+        let where_ = format!("{} {inputs:?}{ours}", case.name);
         match found {
             Ok(_) if case.fails => troubles.push(format!("{where_}: an equilibrium was found")),
             Ok((values, imbalance)) => {
@@ -35,7 +36,8 @@ pub fn troubles(folder: &Path, models: &[String], case: &Case) -> Vec<String> {
                     if std::env::var_os("SHOW").is_some() {
                         eprintln!("{where_} {name}: {value:.9} printed {wanted} off {:.1e}", value - wanted);
                     }
-                    if !wanted.is_nan() && !(off <= abs) {
+                    let within = off <= abs;
+                    if !wanted.is_nan() && !within {
                         troubles.push(format!("{where_} {name}: {value:.9}, not {wanted} ({off:.1e} > {abs:.1e})"));
                     }
                 }
@@ -143,7 +145,7 @@ fn session(folder: &Path, models: &[String], case: &Case, inputs: &Inputs) -> Re
 }
 
 fn modes(session: &mut Session, about: &About, inputs: &Inputs) -> Result<Vec<Mode>, String> {
-    let about = match about.about.as_str() {
+    let about = match about.state.as_str() {
         "present" => ModesAbout::Present,
         "equilibrium" => ModesAbout::Equilibrium,
         "spin" => ModesAbout::Spin {

@@ -60,7 +60,7 @@ pub struct Tolerance {
 #[serde(deny_unknown_fields)]
 pub struct About {
     /// `present`, `equilibrium` or `spin`.
-    pub about: String,
+    pub state: String,
     #[serde(default)]
     pub marker: String,
     /// rad/s; `{column}` stands for the row's number.
