@@ -8,7 +8,7 @@ use common::*;
 fn sections_can_be_asked_for() {
     let db = fixture().db;
     for (text, expected) in [
-        ("SECTION_TORSION(\"rectangle\", 10, 10)", 1405.770_149),
+        ("SECTION_TORSION(\"rectangle\", 10, 10)", 1_405.770_149),
         ("SECTION_TORSION(\"Circle\", 2)", std::f64::consts::FRAC_PI_2),
         ("SECTION_SHEAR(\"circle\", \"y\", \"energy\", 0.3, 5)", 10.0 / 9.0),
         ("SECTION_SHEAR(\"rectangle\", \"z\", \"cowper\", 0.3, 5, 6)", 15.3 / 13.0),
