@@ -4,12 +4,7 @@
 use model::{CellKey, ObjectId, Value};
 use text::{Diagnostic, Severity};
 
-use crate::{
-    Interpreter,
-    call::Call,
-    place,
-    values::{Draft, Reader},
-};
+use crate::{Interpreter, call::Call, place, values::Draft};
 
 const ENDS: [(&str, &str); 2] = [("i_part_name", "i_marker_name"), ("j_part_name", "j_marker_name")];
 
@@ -74,15 +69,7 @@ pub fn generate_markers(interpreter: &mut Interpreter, id: ObjectId, call: &Call
         let name = interpreter.generate_name(marker_class, Some(body));
         let Ok(made) = interpreter.database.create(marker_class, Some(body), &name) else { continue };
         interpreter.names.created(&interpreter.database, made);
-        let mut reader = Reader {
-            database: &interpreter.database,
-            registry: &interpreter.registry,
-            sources: &interpreter.sources,
-            program: call.program,
-            world: &interpreter.world,
-            owner: Some(made),
-            warnings: Vec::new(),
-        };
+        let mut reader = interpreter.reader(call, Some(made));
         let placement = place::read(&mut reader, call, Some(made), Some(body))?;
         let pose = default_orientation(interpreter, body);
         let orientation = placement.orientation.unwrap_or(pose);

@@ -257,21 +257,26 @@ impl Interpreter {
         self.recompute(&changed, call.span)
     }
 
+    /// What reads the values of a command, for cells of `owner`.
+    pub(crate) fn reader<'a>(&'a self, call: &Call<'a>, owner: Option<ObjectId>) -> Reader<'a> {
+        Reader {
+            database: &self.database,
+            registry: &self.registry,
+            sources: &self.sources,
+            program: call.program,
+            world: &self.world,
+            owner,
+            warnings: Vec::new(),
+        }
+    }
+
     /// Stores the points of a shape in the frame they belong to.
     fn set_points(&mut self, id: ObjectId, call: &Call, changed: &mut Vec<CellKey>) -> Outcome<()> {
         let class = self.database.object(id).class;
         for (parameter, argument) in call.all().filter(|(p, _)| place::holds_points(&p.field)) {
             let Some(cell) = class.cell_index(parameter.field.name) else { continue };
             let field = *class.field(cell);
-            let mut reader = Reader {
-                database: &self.database,
-                registry: &self.registry,
-                sources: &self.sources,
-                program: call.program,
-                world: &self.world,
-                owner: Some(id),
-                warnings: Vec::new(),
-            };
+            let mut reader = self.reader(call, Some(id));
             let draft = place::read_points(&mut reader, call, &field, argument, id)?;
             let warnings = std::mem::take(&mut reader.warnings);
             self.report.diagnostics.extend(warnings);
@@ -291,15 +296,7 @@ impl Interpreter {
             return Ok(());
         }
         let parent = self.database.object(id).parent;
-        let mut reader = Reader {
-            database: &self.database,
-            registry: &self.registry,
-            sources: &self.sources,
-            program: call.program,
-            world: &self.world,
-            owner: Some(id),
-            warnings: Vec::new(),
-        };
+        let mut reader = self.reader(call, Some(id));
         let placement = place::read(&mut reader, call, Some(id), parent)?;
         let warnings = std::mem::take(&mut reader.warnings);
         self.report.diagnostics.extend(warnings);
@@ -474,15 +471,7 @@ impl Interpreter {
         argument: &syntax::command::Argument,
         owner: Option<ObjectId>,
     ) -> Outcome<Draft> {
-        let mut reader = Reader {
-            database: &self.database,
-            registry: &self.registry,
-            sources: &self.sources,
-            program: call.program,
-            world: &self.world,
-            owner,
-            warnings: Vec::new(),
-        };
+        let mut reader = self.reader(call, owner);
         let outcome = reader.read(field, argument);
         let warnings = std::mem::take(&mut reader.warnings);
         self.report.diagnostics.extend(warnings);

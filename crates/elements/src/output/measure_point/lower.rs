@@ -1,11 +1,13 @@
 //! A measure of the motion of a point becomes one column.
 
 use model::ObjectId;
-use text::Diagnostic;
 
 use crate::{
     lower::Lowering,
-    output::vector::{self, Markers, Vector},
+    output::{
+        not_recorded,
+        vector::{self, Markers, Vector},
+    },
 };
 
 pub fn lower(lowering: &mut Lowering<'_>, measure: ObjectId) {
@@ -17,12 +19,7 @@ pub fn lower(lowering: &mut Lowering<'_>, measure: ObjectId) {
         "angular_velocity" => Vector::AngularVelocity,
         "angular_acceleration" => Vector::AngularAcceleration,
         _ => {
-            let name = lowering.name(measure);
-            lowering.report(
-                Diagnostic::warning("measure/not-recorded", format!("measure `{name}` is not recorded"))
-                    .note(format!("`{word}` of a point is not computed yet"))
-                    .help("use a function measure or a request instead"),
-            );
+            not_recorded::say(lowering, measure, format!("`{word}` of a point is not computed yet"));
             return;
         }
     };
