@@ -27,6 +27,7 @@ mod macros;
 mod names;
 mod number;
 mod objects;
+mod parameters;
 mod place;
 mod program;
 mod prompt;

@@ -12,7 +12,7 @@ use crate::{
     call::Call,
     interpreter::{Flow, cannot_read},
     lookup,
-    tree::{Action, Parameter, Role},
+    tree::{Parameter, Role},
     words::{Match, glob, match_word},
 };
 
@@ -122,7 +122,7 @@ impl Interpreter {
                     field: Field::new("value", Kind::Any).count(Count::between(1, usize::MAX)),
                 })
                 .collect();
-            self.tree.add(&path, Action::Macro(id), parameters);
+            self.tree.add_macro(&path, id, parameters);
         }
         self.macros.known.insert(id, Macro { formals, body: text, path });
     }

@@ -1,15 +1,17 @@
 //! The tree of command keywords: which words may follow which, and what a complete path does.
 
-use std::sync::Arc;
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
 
 use indexmap::IndexMap;
 use model::ObjectId;
 use rustc_hash::FxBuildHasher;
-use schema::{Class, Field, Group, Kind, Names, Registry, Use};
+use schema::{Class, Field, Group, Registry};
 use smallvec::SmallVec;
 
 use crate::{
     known,
+    parameters::parameters_of,
     verbs::{self, VerbEntry},
     words::{Match, match_word},
 };
@@ -79,10 +81,50 @@ impl Command {
     }
 }
 
+/// A command of the tree. What it looks like in full is put together when it is first asked for: a
+/// process meets a few dozen of the many hundred commands, and building all costs more than reading a
+/// small model.
+#[derive(Debug)]
+struct Entry {
+    action: Action,
+    /// Of a macro; of other commands the tables say which parameters they have.
+    own: Option<Arc<[Parameter]>>,
+    command: OnceLock<Command>,
+}
+
+/// Words that may follow, in order of registration.
+#[derive(Debug, Default)]
+struct Children {
+    words: Vec<(Cow<'static, str>, usize)>,
+    /// Places in `words`, sorted by word; made when a word is first looked up.
+    sorted: OnceLock<Box<[usize]>>,
+}
+
+impl Children {
+    fn words(&self) -> impl ExactSizeIterator<Item = &str> + Clone {
+        self.words.iter().map(|(word, _)| word.as_ref())
+    }
+
+    /// The place of a word that is spelled out.
+    fn place(&self, word: &str) -> Option<usize> {
+        let sorted = self.sorted.get_or_init(|| {
+            let mut places: Box<[usize]> = (0..self.words.len()).collect();
+            places.sort_unstable_by_key(|i| &self.words[*i].0);
+            places
+        });
+        sorted.binary_search_by_key(&word, |i| self.words[*i].0.as_ref()).ok().map(|found| sorted[found])
+    }
+
+    fn add(&mut self, word: Cow<'static, str>, node: usize) {
+        self.words.push((word, node));
+        self.sorted.take();
+    }
+}
+
 #[derive(Debug, Default)]
 struct Node {
-    children: IndexMap<Box<str>, usize, FxBuildHasher>,
-    command: Option<Command>,
+    children: Children,
+    entry: Option<Entry>,
     /// Known from the list of keywords only.
     known_only: bool,
 }
@@ -91,6 +133,8 @@ struct Node {
 #[derive(Debug)]
 pub struct CommandTree {
     nodes: Vec<Node>,
+    /// Groups whose fields `entity attributes` takes.
+    attributes: Vec<&'static Group>,
 }
 
 /// How far the keywords of a statement lead.
@@ -118,97 +162,99 @@ pub enum Path {
 
 impl CommandTree {
     pub fn new(registry: &Registry) -> CommandTree {
-        let mut tree = CommandTree { nodes: vec![Node::default()] };
+        let groups = || registry.classes.iter().flat_map(|c| c.groups.iter().map(move |g| (*c, g)));
+        let attributes = groups().map(|(_, g)| g).filter(|g| g.command.ends_with(" attributes")).collect();
+        let mut tree = CommandTree { nodes: vec![Node::default()], attributes };
         for (path, words) in known::KEYWORDS {
             let node = tree.reach(path.split_whitespace());
             for word in words.split_whitespace() {
-                let child = tree.child(node, word);
+                let child = tree.child(node, word.into());
                 tree.nodes[child].known_only = true;
             }
         }
-        let mut setters: IndexMap<String, Vec<ClassGroup>> = IndexMap::new();
-        let mut makers: Vec<(String, ClassGroup)> = Vec::new();
-        for class in &registry.classes {
-            for group in class.groups {
-                let modify = group.command.split(' ').map(|w| if w == "create" { "modify" } else { w });
-                let modify = modify.collect::<Vec<_>>().join(" ");
-                if group.creates {
-                    makers.push((group.command.to_string(), (class, group)));
-                } else if modify != group.command {
-                    setters.entry(group.command.to_string()).or_default().push((class, group));
-                }
-                if modify != group.command || !group.creates {
-                    setters.entry(modify).or_default().push((class, group));
-                }
+        let mut setters: IndexMap<usize, Vec<ClassGroup>, FxBuildHasher> = IndexMap::default();
+        for (class, group) in groups() {
+            let creates = group.command.split(' ').any(|word| word == "create");
+            if !group.creates && creates {
+                let node = tree.reach(group.command.split(' '));
+                setters.entry(node).or_default().push((class, group));
+            }
+            if !group.creates || creates {
+                let modify = group.command.split(' ').map(|word| if word == "create" { "modify" } else { word });
+                let node = tree.reach(modify);
+                setters.entry(node).or_default().push((class, group));
             }
         }
-        for (path, groups) in setters {
-            tree.add(&path, Action::Set(groups.clone().into()), set_parameters(&path, &groups));
+        for (node, groups) in setters {
+            tree.set(node, Action::Set(groups.into()), None);
         }
-        for (path, (class, group)) in makers {
-            if group.object.is_empty() {
-                tree.add(&path, Action::Settings(class, group), field_parameters(group, Use::Modify));
-            } else {
-                let object = Field::new(group.object, Kind::Object(Names::New, class.id));
-                let mut list = vec![Parameter { name: group.object.into(), role: Role::Object, field: object }];
-                list.extend(field_parameters(group, Use::Modify));
-                tree.add(&path, Action::Create(class, group), list);
-            }
+        for (class, group) in groups().filter(|(_, group)| group.creates) {
+            let node = tree.reach(group.command.split(' '));
+            let settings = group.object.is_empty();
+            tree.set(node, if settings { Action::Settings(class, group) } else { Action::Create(class, group) }, None);
         }
-        let attributes = all_attributes(registry);
         for entry in verbs::ALL {
-            let plain = |f: &Field| Parameter { name: f.name.into(), role: Role::Field, field: *f };
-            let mut parameters: Vec<Parameter> = entry.verb.fields.iter().map(plain).collect();
-            if entry.verb.path == "entity attributes" {
-                for parameter in attributes.iter().map(plain) {
-                    if !parameters.iter().any(|p| p.name == parameter.name) {
-                        parameters.push(parameter);
-                    }
-                }
-            }
-            tree.add(entry.verb.path, Action::Verb(entry), parameters);
+            let node = tree.reach(entry.verb.path.split_whitespace());
+            tree.set(node, Action::Verb(entry), None);
         }
         tree
     }
 
-    /// Adds a command; a path that has one already gets the new one.
-    pub fn add(&mut self, path: &str, action: Action, parameters: Vec<Parameter>) {
-        let node = self.reach(path.split_whitespace());
-        self.nodes[node].command = Some(Command { path: path.into(), action, parameters: parameters.into() });
+    /// Adds the command that runs a macro; a path that has a command already gets the new one.
+    pub fn add_macro(&mut self, path: &str, id: ObjectId, parameters: Vec<Parameter>) {
+        let node = path.split_whitespace().fold(0, |node, word| self.child(node, word.to_ascii_lowercase().into()));
+        self.set(node, Action::Macro(id), Some(parameters.into()));
     }
 
     /// Takes a command away again.
     pub fn remove(&mut self, path: &str) {
-        let node = self.reach(path.split_whitespace());
-        self.nodes[node].command = None;
+        let mut node = 0;
+        for word in path.split_whitespace() {
+            let Some(place) = self.nodes[node].children.place(&word.to_ascii_lowercase()) else { return };
+            node = self.nodes[node].children.words[place].1;
+        }
+        self.nodes[node].entry = None;
     }
 
-    fn reach<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> usize {
-        words.fold(0, |node, word| self.child(node, word))
+    fn set(&mut self, node: usize, action: Action, own: Option<Arc<[Parameter]>>) {
+        self.nodes[node].entry = Some(Entry { action, own, command: OnceLock::new() });
     }
 
-    /// The node behind a word, which is made if missing.
-    fn child(&mut self, node: usize, word: &str) -> usize {
-        // Tables are in lower case.
-        if let Some(&child) = self.nodes[node].children.get(word) {
-            return child;
+    /// The node at the end of words of our tables, which are in lower case.
+    fn reach(&mut self, words: impl Iterator<Item = &'static str>) -> usize {
+        words.fold(0, |node, word| self.child(node, word.into()))
+    }
+
+    /// The node behind a word in lower case, which is made if missing.
+    fn child(&mut self, node: usize, word: Cow<'static, str>) -> usize {
+        if let Some((_, child)) = self.nodes[node].children.words.iter().find(|(known, _)| *known == word) {
+            return *child;
         }
-        let new = self.nodes.len();
-        let child = *self.nodes[node].children.entry(word.to_ascii_lowercase().into()).or_insert(new);
-        if child == new {
-            self.nodes.push(Node::default());
-        }
+        let child = self.nodes.len();
+        self.nodes.push(Node::default());
+        self.nodes[node].children.add(word, child);
         child
+    }
+
+    /// The command at a node, whose keywords are `path`.
+    fn command(&self, node: usize, path: &[&str]) -> Option<&Command> {
+        let Entry { action, own, command } = self.nodes[node].entry.as_ref()?;
+        Some(command.get_or_init(|| {
+            let path = path.join(" ");
+            let parameters = own.clone().unwrap_or_else(|| parameters_of(action, &path, &self.attributes).into());
+            Command { path: path.into(), action: action.clone(), parameters }
+        }))
     }
 
     /// A node that leads to a command, or that the list of keywords names.
     fn alive(&self, node: usize) -> bool {
         let n = &self.nodes[node];
-        n.command.is_some() || n.known_only || n.children.values().any(|c| self.alive(*c))
+        n.entry.is_some() || n.known_only || n.children.words.iter().any(|(_, c)| self.alive(*c))
     }
 
     fn following(&self, node: usize) -> Vec<String> {
-        self.nodes[node].children.iter().filter(|(_, c)| self.alive(**c)).map(|(w, _)| w.to_string()).collect()
+        let words = self.nodes[node].children.words.iter();
+        words.filter(|(_, child)| self.alive(*child)).map(|(word, _)| word.to_string()).collect()
     }
 
     /// Follows the keywords of a command.
@@ -216,32 +262,33 @@ impl CommandTree {
         let (mut node, mut path) = (0, SmallVec::<[&str; 8]>::new());
         for (at, word) in words.iter().enumerate() {
             let children = &self.nodes[node].children;
-            let spelled_out = children.get_index_of(*word).map(Match::One);
-            let matched = match spelled_out.unwrap_or_else(|| match_word(children.keys().map(AsRef::as_ref), word)) {
+            let spelled_out = children.place(word).map(Match::One);
+            let matched = match spelled_out.unwrap_or_else(|| match_word(children.words(), word)) {
                 // Forms the list of keywords alone knows give way where abbreviations tie.
                 Match::Many(found) => return Path::Ambiguous { at, candidates: self.names(node, &found) },
                 other => other,
             };
             match matched {
                 Match::One(i) => {
-                    if let Some((name, &child)) = children.get_index(i) {
+                    if let Some((name, child)) = children.words.get(i) {
                         path.push(name);
-                        node = child;
+                        node = *child;
                     }
                 }
-                _ if self.nodes[node].command.is_some() => return Path::Surplus { at },
+                _ if self.nodes[node].entry.is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
                 _ if self.nodes[node].known_only
-                    && (self.nodes[node].children.is_empty() || known::OPEN.contains(&path.join(" ").as_str())) =>
+                    && (self.nodes[node].children.words.is_empty()
+                        || known::OPEN.contains(&path.join(" ").as_str())) =>
                 {
                     return Path::Found(unsupported(&path.join(" "), &words[at..]));
                 }
                 _ => return Path::Unknown { at, near: self.following(node) },
             }
         }
-        match &self.nodes[node].command {
+        match self.command(node, &path) {
             Some(command) => Path::Found(command.clone()),
-            None if self.nodes[node].known_only && self.nodes[node].children.is_empty() && node != 0 => {
+            None if self.nodes[node].known_only && self.nodes[node].children.words.is_empty() && node != 0 => {
                 Path::Found(unsupported(&path.join(" "), &[]))
             }
             None if path.len() > 1 && known::OPEN.contains(&path.join(" ").as_str()) => {
@@ -252,7 +299,8 @@ impl CommandTree {
     }
 
     fn names(&self, node: usize, indices: &[usize]) -> Vec<String> {
-        indices.iter().filter_map(|i| self.nodes[node].children.get_index(*i)).map(|(w, _)| w.to_string()).collect()
+        let words = &self.nodes[node].children.words;
+        indices.iter().filter_map(|i| words.get(*i)).map(|(word, _)| word.to_string()).collect()
     }
 
     /// The words that may follow keywords, for help and completion.
@@ -260,11 +308,8 @@ impl CommandTree {
         let mut node = 0;
         for word in words {
             let children = &self.nodes[node].children;
-            match match_word(children.keys().map(AsRef::as_ref), word) {
-                Match::One(i) => match children.get_index(i) {
-                    Some((_, &child)) => node = child,
-                    None => return Vec::new(),
-                },
+            match match_word(children.words(), word) {
+                Match::One(i) => node = children.words[i].1,
                 _ => return Vec::new(),
             }
         }
@@ -274,78 +319,20 @@ impl CommandTree {
     /// Every path with what it does, in order of registration: for `flexure support`.
     pub fn commands(&self) -> Vec<Command> {
         let mut found = Vec::new();
-        let mut stack = vec![(0usize, String::new())];
+        let mut stack = vec![(0usize, Vec::<&str>::new())];
         while let Some((node, path)) = stack.pop() {
             let n = &self.nodes[node];
-            if let Some(command) = &n.command {
+            if let Some(command) = self.command(node, &path) {
                 found.push(command.clone());
-            } else if n.known_only && n.children.is_empty() {
-                found.push(unsupported(&path, &[]));
+            } else if n.known_only && n.children.words.is_empty() {
+                found.push(unsupported(&path.join(" "), &[]));
             }
-            for (word, child) in n.children.iter().rev() {
-                let path = if path.is_empty() { word.to_string() } else { format!("{path} {word}") };
-                stack.push((*child, path));
+            for (word, child) in n.children.words.iter().rev() {
+                stack.push((*child, path.iter().copied().chain([word.as_ref()]).collect()));
             }
         }
         found
     }
-}
-
-/// The parameters of a group but for those of the other form.
-fn field_parameters(group: &'static Group, excluded: Use) -> Vec<Parameter> {
-    let used = group.fields.iter().filter(|f| f.usage != excluded);
-    used.map(|f| Parameter { name: f.name.into(), role: Role::Field, field: *f }).collect()
-}
-
-/// The parameters of a command that sets cells of objects of several classes.
-fn set_parameters(path: &str, groups: &[ClassGroup]) -> Vec<Parameter> {
-    let many = path.ends_with(" attributes");
-    let mut list: Vec<Parameter> = Vec::new();
-    let known = |list: &[Parameter], name: &str| list.iter().any(|p| &*p.name == name);
-    for (_, group) in groups {
-        if known(&list, group.object) {
-            continue;
-        }
-        let classes: Vec<&Class> = groups.iter().filter(|(_, g)| g.object == group.object).map(|(c, _)| *c).collect();
-        let mut field = Field::new(group.object, Kind::Object(Names::Old, common_family(&classes))).current();
-        if many {
-            field = field.many();
-        }
-        list.push(Parameter { name: group.object.into(), role: Role::Object, field });
-        if groups.iter().any(|(_, g)| g.creates && g.object == group.object) {
-            let field = Field::new(group.object, Kind::Object(Names::New, classes[0].id));
-            list.push(Parameter { name: format!("new_{}", group.object).into(), role: Role::NewName, field });
-        }
-    }
-    for (_, group) in groups {
-        for parameter in field_parameters(group, Use::Create) {
-            if !known(&list, &parameter.name) {
-                list.push(parameter);
-            }
-        }
-    }
-    list
-}
-
-/// What an object must be to belong to one of these classes.
-fn common_family(classes: &[&Class]) -> &'static str {
-    let Some(first) = classes.first() else { return "any" };
-    if classes.iter().all(|c| c.id == first.id) {
-        return first.id;
-    }
-    first.families.iter().copied().find(|f| classes.iter().all(|c| c.is(f))).unwrap_or("any")
-}
-
-/// Every attribute that any class has, for `entity attributes`.
-fn all_attributes(registry: &Registry) -> Vec<Field> {
-    let mut found: Vec<Field> = Vec::new();
-    let groups = registry.classes.iter().flat_map(|c| c.groups).filter(|g| g.command.ends_with(" attributes"));
-    for field in groups.flat_map(|g| g.fields) {
-        if !found.iter().any(|f| f.name == field.name) {
-            found.push(*field);
-        }
-    }
-    found
 }
 
 fn unsupported(path: &str, rest: &[&str]) -> Command {
