@@ -1,6 +1,7 @@
 //! Arguments become values of cells: numbers with their units, words, texts, objects, functions.
 
-use std::borrow::Cow;
+mod objects;
+mod words;
 
 use expressions::is_rate_of_angle;
 use model::{Array, CellKey, Database, Expression, FunctionText, ObjectId, Source, Value};
@@ -11,9 +12,8 @@ use text::{Diagnostic, Sources, Span};
 
 use crate::{
     evaluation::{self, Outcome},
-    function_text, lookup,
+    lookup,
     program::Program,
-    words::{Match, did_you_mean, is_pattern, match_word},
 };
 
 /// A value for a cell, not yet stored.
@@ -43,8 +43,6 @@ pub struct Reader<'a> {
 }
 
 type Errors = Vec<Diagnostic>;
-/// The objects a name means, and what is to be said of them.
-type Named = (SmallVec<[ObjectId; 1]>, Option<Diagnostic>);
 /// The numbers of one value, the expression to keep, and what it reads.
 type NumberItem = (Numbers, Option<Expression>, Vec<CellKey>);
 /// Rarely more than a location.
@@ -295,230 +293,6 @@ impl Reader<'_> {
         }
         self.warnings.push(Diagnostic { severity: text::Severity::Warning, adams_text: Vec::new(), ..error });
         Ok(())
-    }
-
-    // ---- words ----
-
-    fn plain<'i>(&'i self, item: &'i Item) -> Result<Cow<'i, str>, Errors> {
-        match &item.kind {
-            ItemKind::Text(text) => Ok(Cow::Borrowed(text)),
-            ItemKind::Word | ItemKind::Number { .. } => Ok(Cow::Borrowed(self.word(item.span))),
-            ItemKind::Expression(e) => {
-                let outcome = evaluation::evaluate(e, self.database, self.sources, self.world, self.owner)?;
-                Ok(Cow::Owned(text_of(&outcome.value, self.database)))
-            }
-        }
-    }
-
-    fn boolean(&mut self, field: &Field, argument: &Argument, yes: &str, no: &str) -> Result<Draft, Errors> {
-        let [item] = argument.values.as_slice() else {
-            return Err(vec![Self::count_error(field, argument, argument.values.len())]);
-        };
-        let typed = self.plain(item)?;
-        let flag = match match_word([yes, no], &typed) {
-            Match::One(i) => Some(i == 0),
-            _ => match typed.to_ascii_lowercase().as_str() {
-                "yes" | "on" | "true" | "1" => Some(true),
-                "no" | "off" | "false" | "0" => Some(false),
-                _ => None,
-            },
-        };
-        flag.map(|f| Draft::literal(Value::Flag(f))).ok_or_else(|| {
-            vec![
-                Diagnostic::error("command/unknown-word", format!("`{}` is `{yes}` or `{no}`", field.name))
-                    .at(item.span, format!("`{typed}` is neither"))
-                    .adams(format!("'{typed}' is not a valid choice for '{}'.", field.name)),
-            ]
-        })
-    }
-
-    fn choices(&mut self, field: &Field, argument: &Argument, words: &[&'static str]) -> Result<Draft, Errors> {
-        let mut chosen = Vec::new();
-        for item in &argument.values {
-            let typed = self.plain(item)?;
-            match match_word(words.iter().copied(), &typed) {
-                Match::One(i) => chosen.push(words[i].to_string()),
-                Match::Many(found) => {
-                    let names: Vec<&str> = found.iter().map(|i| words[*i]).collect();
-                    return Err(vec![
-                        Diagnostic::error(
-                            "command/ambiguous-abbreviation",
-                            format!("`{typed}` may stand for {}", names.join(", ")),
-                        )
-                        .at(item.span, "ambiguous")
-                        .adams(format!("'{typed}' is ambiguous.")),
-                    ]);
-                }
-                Match::None => {
-                    let error = Diagnostic::error(
-                        "command/unknown-word",
-                        format!("`{typed}` is not a choice for `{}`", field.name),
-                    )
-                    .at(item.span, format!("wants {}", words.join(", ")))
-                    .adams(format!("'{typed}' is not a valid choice for '{}'.", field.name));
-                    let words = words.iter().copied();
-                    let guessed = did_you_mean(error, words, &typed, item.span, str::to_string);
-                    return Err(vec![guessed.unwrap_or_else(|error| error)]);
-                }
-            }
-        }
-        Self::text_value(field, argument, chosen)
-    }
-
-    fn text_value(field: &Field, argument: &Argument, mut texts: Vec<String>) -> Result<Draft, Errors> {
-        if texts.len() > field.count.most || texts.len() < field.count.least {
-            return Err(vec![Self::count_error(field, argument, texts.len())]);
-        }
-        let value =
-            if field.count.most == 1 { Value::Text(texts.pop().unwrap_or_default()) } else { Value::Texts(texts) };
-        Ok(Draft::literal(value))
-    }
-
-    fn texts(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
-        let mut texts = Vec::new();
-        let mut kept = None;
-        let mut reads = Vec::new();
-        for item in &argument.values {
-            if let Some(outcome) = self.evaluate(item)? {
-                match &outcome.value {
-                    Value::Texts(list) => texts.extend(list.iter().cloned()),
-                    other => texts.push(text_of(other, self.database)),
-                }
-                if argument.values.len() == 1 && !outcome.reads.is_empty() {
-                    kept = outcome.kept;
-                    reads = outcome.reads;
-                }
-            } else {
-                texts.push(self.plain(item)?.into_owned());
-            }
-        }
-        let mut draft = Self::text_value(field, argument, texts)?;
-        if let Some(expression) = kept {
-            draft.source = Source::Expression(Box::new(expression));
-            draft.reads = reads;
-        }
-        Ok(draft)
-    }
-
-    fn function(&mut self, _field: &Field, argument: &Argument) -> Result<Draft, Errors> {
-        let mut text = String::new();
-        for item in &argument.values {
-            match self.evaluate(item)? {
-                Some(outcome) => text.push_str(&text_of(&outcome.value, self.database)),
-                None => text.push_str(&self.plain(item)?),
-            }
-        }
-        let (bound, unknown) = function_text::bind(self.database, &text);
-        for name in unknown {
-            self.warnings.push(
-                Diagnostic::warning("name/not-found", format!("the function names `{name}`, which does not exist"))
-                    .at(argument.value_span, "kept as text")
-                    .note("it must exist when the model is simulated, and does not follow a renaming"),
-            );
-        }
-        Ok(Draft::literal(Value::Function(bound)))
-    }
-
-    // ---- objects ----
-
-    fn objects(&mut self, field: &Field, argument: &Argument, wanted: &str) -> Result<Draft, Errors> {
-        let mut found: SmallVec<[ObjectId; 1]> = SmallVec::new();
-        let mut kept = None;
-        let mut reads = Vec::new();
-        let many = field.count.most > 1;
-        for item in &argument.values {
-            if let Some(outcome) = self.evaluate(item)? {
-                match &outcome.value {
-                    Value::Nothing => {}
-                    Value::Text(name) => {
-                        let (ids, said) = self.named(name, wanted, many, item.span)?;
-                        self.warnings.extend(said);
-                        found.extend(ids);
-                    }
-                    Value::Texts(names) => {
-                        for name in names {
-                            let (ids, said) = self.named(name, wanted, many, item.span)?;
-                            self.warnings.extend(said);
-                            found.extend(ids);
-                        }
-                    }
-                    other => {
-                        let objects = other.objects();
-                        if objects.is_empty() {
-                            return Err(vec![self.not_an_object(field, wanted, item.span)]);
-                        }
-                        for object in objects {
-                            found.push(self.as_wanted(object, wanted, item.span)?);
-                        }
-                    }
-                }
-                if argument.values.len() == 1 {
-                    kept = outcome.kept;
-                    reads = outcome.reads;
-                }
-            } else if let ItemKind::Number { .. } = item.kind {
-                return Err(vec![self.not_an_object(field, wanted, item.span)]);
-            } else {
-                let name = self.plain(item)?;
-                if name.eq_ignore_ascii_case("none") && found.is_empty() && argument.values.len() == 1 {
-                    return Ok(Draft::literal(Value::Nothing));
-                }
-                let (ids, said) = self.named(&name, wanted, many, item.span)?;
-                self.warnings.extend(said);
-                found.extend(ids);
-            }
-        }
-        if found.len() > field.count.most {
-            return Err(vec![Self::count_error(field, argument, found.len())]);
-        }
-        let value = match (many, found.as_slice()) {
-            (false, [one]) => Value::Object(*one),
-            (false, _) => Value::Nothing,
-            (true, _) => Value::Objects(found.into_vec()),
-        };
-        let source = kept.map_or(Source::Literal, |e| Source::Expression(Box::new(e)));
-        Ok(Draft { value, source, reads })
-    }
-
-    /// The objects a name means, and what is said of a pattern that means several.
-    fn named(&self, name: &str, wanted: &str, many: bool, span: Span) -> Result<Named, Errors> {
-        let mut said = None;
-        let outcome = if many && is_pattern(name) {
-            let found = lookup::find_all(self.database, self.registry, name, wanted, span);
-            if let Ok(found) = &found
-                && found.len() > 1
-            {
-                said = Some(lookup::several(self.database, self.registry, name, wanted, found).at(span, ""));
-            }
-            found.map(SmallVec::from_vec)
-        } else {
-            lookup::find(self.database, self.registry, name, wanted, span).map(|id| smallvec![id])
-        };
-        outcome.map(|found| (found, said)).map_err(|e| vec![e])
-    }
-
-    fn as_wanted(&self, id: ObjectId, wanted: &str, span: Span) -> Result<ObjectId, Errors> {
-        let class = self.database.object(id).class;
-        if class.is(wanted) {
-            return Ok(id);
-        }
-        let word = lookup::word_of(self.registry, wanted);
-        let name = self.database.full_name(id);
-        Err(vec![
-            Diagnostic::error(
-                "name/wrong-kind",
-                format!("`{name}` is a {}, not a {}", class.word.to_lowercase(), word.to_lowercase()),
-            )
-            .at(span, format!("a {} is wanted", word.to_lowercase()))
-            .adams(format!("No {word} named '{name}' was found.")),
-        ])
-    }
-
-    fn not_an_object(&self, field: &Field, wanted: &str, span: Span) -> Diagnostic {
-        let word = lookup::word_of(self.registry, wanted).to_lowercase();
-        Diagnostic::error("value/not-an-object", format!("`{}` wants the name of a {word}", field.name))
-            .at(span, "names nothing")
-            .adams("Invalid input. Enter '.' or an entity name.")
     }
 
     fn any(&mut self, field: &Field, argument: &Argument) -> Result<Draft, Errors> {
