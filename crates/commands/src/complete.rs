@@ -60,8 +60,27 @@ impl Interpreter {
     pub fn asks_for_help(&self, text: &str) -> bool {
         match situation(text) {
             Situation::Word(_) => true,
-            Situation::Value { place, quoted, .. } => !quoted && place.start == text.len(),
+            Situation::Value { quoted: true, .. } => false,
+            Situation::Value { place, parameter, .. } => {
+                place.start == text.len() || !self.may_hold_a_question_mark(&place, &parameter)
+            }
             Situation::Nowhere | Situation::Expression(_) => false,
+        }
+    }
+
+    /// Whether `?` can be part of a value that is begun: of a text, or of a pattern that stands for
+    /// several objects.
+    fn may_hold_a_question_mark(&self, place: &Place, parameter: &str) -> bool {
+        let words: Vec<&str> = place.keywords.iter().map(String::as_str).collect();
+        let Path::Found(command) = self.tree.find(&words) else { return true };
+        let Match::One(index) = match_parameter(&command.parameters, parameter) else { return true };
+        let field = &command.parameters[index].field;
+        match field.kind {
+            Kind::Object(Names::Old, _) => field.count.most > 1,
+            Kind::Boolean(..) | Kind::Choice(_) | Kind::Real | Kind::Integer => {
+                matches!(command.action, Action::Macro(_))
+            }
+            _ => true,
         }
     }
 

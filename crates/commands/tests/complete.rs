@@ -135,9 +135,17 @@ fn files_are_offered_in_quotes() {
 }
 
 #[test]
-fn a_question_mark_asks_only_where_a_word_may_begin() {
+fn a_question_mark_asks_unless_it_may_be_part_of_a_value() {
     let i = session();
     for asks in ["", "mar", "marker create ", "marker create marker_name = ", "a x = 1, "] {
+        assert!(i.asks_for_help(asks), "{asks}");
+    }
+    // One object, a word of a list, a number: none of them holds a `?`.
+    for asks in [
+        "force modify element_like beam beam_name = be",
+        "force modify element_like beam formulation = str",
+        "force modify element_like beam ixx = 4",
+    ] {
         assert!(i.asks_for_help(asks), "{asks}");
     }
     for types in ["marker delete marker_name = ti", "a x = \"really", "a x = (b", "! why"] {
