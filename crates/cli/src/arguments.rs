@@ -39,8 +39,8 @@ pub enum Command {
     Shell(Shell),
     /// Lay out command files and macros as Adams View writes its own.
     Fmt(Fmt),
-    /// List what is run, what is kept but not simulated, and what is not supported.
-    Support,
+    /// List what is run, what is kept but not simulated, and what is not supported; or explain a command.
+    Support(Support),
 }
 
 /// Options that change a model after it is read.
@@ -326,6 +326,15 @@ pub struct Section {
 pub enum DiffFormat {
     Text,
     Json,
+}
+
+#[derive(Debug, Args)]
+pub struct Support {
+    /// Words of a command, as `force modify element_like beam`: what it does and takes.
+    pub words: Vec<String>,
+    /// Form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
 }
 
 #[derive(Debug, Args)]

@@ -236,3 +236,49 @@ fn a_section_that_is_none_is_refused() {
         assert!(err.contains(part), "{part} is missing in {err}");
     }
 }
+
+/// The table of a command as JSON.
+fn table(words: &[&str]) -> serde_json::Value {
+    let arguments = [&["support"], words, &["--format", "json"]].concat();
+    serde_json::from_str(&run(&TempDir::new().unwrap(), &arguments).1).unwrap()
+}
+
+/// Truth: the schema of the beam; the sentences are those of `help`.
+#[test]
+fn a_command_is_explained_as_text_and_as_json() {
+    let words = ["force", "modify", "element_like", "beam"];
+    let (_, text, _) = run(&TempDir::new().unwrap(), &[&["support"], &words[..]].concat());
+    let table = table(&words);
+    assert_eq!(table["command"], "force modify element_like beam");
+    let parameters = table["parameters"].as_array().unwrap();
+    assert!(parameters.len() > 15 && text.lines().count() == 1 + parameters.len(), "{text}");
+    for (parameter, line) in parameters.iter().zip(text.lines().skip(1)) {
+        let of = |key: &str| parameter[key].as_str().unwrap();
+        let line = line.trim_start();
+        assert!(line.starts_with(of("name")) && line.ends_with(of("doc")) && line.contains(of("type")), "{line}");
+    }
+    let length = parameters.iter().find(|p| p["name"] == "length").unwrap();
+    assert_eq!(length["dimension"], "length");
+    assert_eq!(length["shortest"], "l");
+    assert_eq!(length["keyword"], "LENGTH");
+    assert!(length["default"].is_null() && length["must_be"] == "greater than 0");
+}
+
+#[test]
+fn exclusive_parameters_stand_in_the_table() {
+    let table = table(&["forc cr el beam"]);
+    let rules = table["rules"].as_array().unwrap();
+    let ends = serde_json::json!({ "rule": "at_most_one", "names": ["i_marker_name", "i_part_name"] });
+    assert!(rules.contains(&ends), "{rules:?}");
+    let formulation = table["parameters"].as_array().unwrap().iter().find(|p| p["name"] == "formulation").unwrap();
+    assert_eq!(formulation["words"], serde_json::json!(["linear", "string", "nonlinear"]));
+    assert_eq!(formulation["default"], "linear");
+}
+
+#[test]
+fn an_unknown_command_is_not_explained() {
+    let words = ["support", "force", "modify", "element_like", "beem"];
+    let (status, _, trouble) = run(&TempDir::new().unwrap(), &words);
+    assert_eq!(status, 2);
+    assert!(trouble.contains("did you mean `beam`?"), "{trouble}");
+}

@@ -11,7 +11,7 @@ use crate::{
     call::match_parameter,
     complete_situation::{Place, Situation, situation},
     help,
-    tree::{Action, Command, Parameter, Path, Role},
+    tree::{Action, Command, Parameter, Path},
     words::{Match, match_word},
 };
 
@@ -182,7 +182,7 @@ impl Interpreter {
         left.iter().map(|p| Candidate { text: format!("{} = ", p.name), note: self.describe(command, p) }).collect()
     }
 
-    fn is_required(&self, command: &Command, parameter: &Parameter) -> bool {
+    pub(crate) fn is_required(&self, command: &Command, parameter: &Parameter) -> bool {
         match command.action {
             Action::Create(..) | Action::Verb(_) => parameter.field.required,
             Action::Macro(id) => self.macros.parameter(id, &parameter.name).is_some_and(|p| p.required),
@@ -206,14 +206,7 @@ impl Interpreter {
         if self.is_required(command, parameter) {
             parts.push("required".into());
         }
-        let doc = match parameter.role {
-            Role::NewName => "new name of the object",
-            Role::Object if parameter.field.doc.is_empty() => match command.action {
-                Action::Create(..) => "name of the new object",
-                _ => "object to change",
-            },
-            _ => parameter.field.doc,
-        };
+        let doc = help::doc_of_parameter(command, parameter);
         if doc.is_empty() { parts.join(", ") } else { format!("{}: {doc}", parts.join(", ")) }
     }
 

@@ -6,7 +6,7 @@ use schema::{Count, Default, Field, Kind, Names};
 
 use crate::{
     Interpreter, known,
-    tree::{Action, Command, Path},
+    tree::{Action, Command, Parameter, Path, Role},
     words::nearest,
 };
 
@@ -91,9 +91,21 @@ pub(crate) fn doc_of(command: &Command, database: &Database) -> String {
     }
 }
 
-/// The type of a value, with its unit in the units in force.
-pub(crate) fn kind_of(field: &Field, database: &Database) -> String {
-    let what = match field.kind {
+/// What a parameter is for.
+pub(crate) fn doc_of_parameter(command: &Command, parameter: &Parameter) -> &'static str {
+    match parameter.role {
+        Role::NewName => "new name of the object",
+        Role::Object if parameter.field.doc.is_empty() => match command.action {
+            Action::Create(..) => "name of the new object",
+            _ => "object to change",
+        },
+        _ => parameter.field.doc,
+    }
+}
+
+/// The type of a value, without unit and number.
+pub(crate) fn what_of(field: &Field) -> String {
+    match field.kind {
         Kind::Object(Names::Old, wanted) => format!("existing {}", spaced(wanted)),
         Kind::Object(Names::New, wanted) => format!("new {}", spaced(wanted)),
         Kind::Object(Names::OldOrNew, wanted) => format!("new or existing {}", spaced(wanted)),
@@ -107,7 +119,12 @@ pub(crate) fn kind_of(field: &Field, database: &Database) -> String {
         Kind::Orientation => "orientation".into(),
         Kind::File => "file".into(),
         Kind::Any => "value".into(),
-    };
+    }
+}
+
+/// The type of a value, with its unit in the units in force.
+pub(crate) fn kind_of(field: &Field, database: &Database) -> String {
+    let what = what_of(field);
     let unit = database.units().label(field.dimension);
     let unit = if unit.is_empty() { unit } else { format!(", {unit}") };
     let count = match field.count {

@@ -25,10 +25,11 @@ pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
 pub use session::{BeamAngles, Report, Session, Verification};
 pub use settings::{Analysis, Outputs, SimulationOptions};
 pub use support::{Support, support};
-pub use window::{Candidate, Completion};
+pub use window::{Candidate, CommandReference, Completion, ParameterReference, Role};
 
 pub use elements::Finding;
 pub use parquet;
 pub use results;
+pub use schema::{Count, Rule};
 pub use sections;
 pub use text;

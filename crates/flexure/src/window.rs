@@ -1,6 +1,6 @@
 //! What a command window asks a session: whether what is typed is whole, what may follow it, and help.
 
-pub use commands::{Candidate, Completion};
+pub use commands::{Candidate, CommandReference, Completion, ParameterReference, Role};
 
 use crate::session::Session;
 
@@ -28,5 +28,10 @@ impl Session {
     /// What `help` shows, with the words behind it.
     pub fn help(&self, words: &[&str]) -> Vec<String> {
         self.interpreter.help_lines(words)
+    }
+
+    /// A command and its parameters as data; `None` where there is no such command.
+    pub fn reference(&self, words: &[&str]) -> Option<CommandReference> {
+        self.interpreter.reference(words)
     }
 }

@@ -35,7 +35,7 @@ pub(crate) fn execute(arguments: &Arguments) -> Outcome {
         Command::Diff(diff) => diff::execute(diff),
         Command::Shell(shell) => crate::shell::execute(shell),
         Command::Fmt(fmt) => fmt::execute(fmt),
-        Command::Support => support::execute(),
+        Command::Support(request) => support::execute(request),
     }
 }
 
