@@ -120,9 +120,11 @@ fn control_of(program: &Program, index: usize, first_words: &[&str]) -> Control 
         Match::One(i) => WORDS.iter().find(|(w, _)| *w == first_words[i]).map_or(Control::Plain, |(_, c)| *c),
         _ => Control::Plain,
     };
-    // A word behind `end` is an error, and the block stays open.
+    // A word behind `end` is an error, and the block stays open; one behind `for` is an error that opens
+    // no block, so that the rest of the file is not taken for its body.
     let bare = keywords.len() == 1 && arguments.is_empty();
     match control {
+        Control::For if keywords.len() > 1 => Control::Plain,
         Control::End | Control::Else | Control::Break | Control::Continue | Control::Return if !bare => Control::Plain,
         other => other,
     }

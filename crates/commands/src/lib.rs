@@ -37,6 +37,7 @@ mod reference;
 mod refusals;
 mod state;
 mod statement;
+mod symmetric;
 mod tree;
 mod values;
 mod verbs;

@@ -195,14 +195,17 @@ impl Interpreter {
                 .help("write more letters of the one that is meant")
                 .adams(format!("'{}' is an ambiguous keyword.", words[at])),
             ]),
-            Path::Surplus { at } => Err(vec![
-                Diagnostic::error(
+            Path::Surplus { at } => {
+                let error = Diagnostic::error(
                     "command/unknown-argument",
                     format!("`{}` takes no word `{}`", words[..at].join(" "), words[at]),
                 )
                 .at(at_word(at), "unexpected")
-                .adams(format!("'{}' is not a valid parameter.", words[at])),
-            ]),
+                .adams(format!("'{}' is not a valid parameter.", words[at]));
+                let loop_or_force = at == 1 && words[0].eq_ignore_ascii_case("for");
+                let help = "`for` begins a loop; the shortest word for forces is `forc`";
+                Err(vec![if loop_or_force { error.fix(help, at_word(0), "forc") } else { error }])
+            }
             Path::Incomplete { next } => match arguments.first() {
                 Some(argument) => Err(vec![unknown_keyword(program.word(argument.name), argument.name, &words, &next)]),
                 None => Err(vec![

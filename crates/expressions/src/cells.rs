@@ -248,6 +248,13 @@ fn shaped(value: Value, field: &Field, scope: &Scope) -> Outcome<Value> {
                     _ => return Err(wrong(&value)),
                 },
             };
+            let full = field.symmetric.filter(|side| numbers.len() == side * side);
+            let numbers = match full {
+                Some(side) => {
+                    schema::lower_triangle(&numbers, side).map_err(|pair| not_symmetric(field, side, pair))?
+                }
+                None => numbers,
+            };
             if !(field.count.least..=field.count.most).contains(&numbers.len()) {
                 return Err(problem(
                     "expression/wrong-count",
@@ -286,6 +293,20 @@ fn shaped(value: Value, field: &Field, scope: &Scope) -> Outcome<Value> {
         },
         Kind::Any => value,
     })
+}
+
+/// A matrix that an expression gives and that is not symmetric where it must be.
+fn not_symmetric(field: &Field, side: usize, pair: schema::Unequal) -> Box<Diagnostic> {
+    let place = |index| schema::place_by_columns(index, side);
+    let ((row, column), (twin_row, twin_column)) = (place(pair.above), place(pair.below));
+    problem(
+        "value/not-symmetric",
+        format!(
+            "`{}` is not symmetric: its expression gives different numbers in row {row}, column {column} and row \
+             {twin_row}, column {twin_column}",
+            field.name
+        ),
+    )
 }
 
 /// Stands among the cells an expression read if its value follows from which objects there are and

@@ -126,13 +126,21 @@ pub(crate) fn find(
 
 /// Modes about a state, with the reactions that belong to it.
 fn about_state(dae: &mut dyn Dae, state: &mut SystemState) -> Result<solver::Modes, Vec<Diagnostic>> {
+    at_rest(dae, state).map_err(|f| vec![failed(&f)])?;
+    solver::modes(dae, state, &ModeOptions::default()).map_err(|f| vec![failed(&f)])
+}
+
+/// The accelerations and reactions that belong to a state.
+pub(crate) fn at_rest(dae: &mut dyn Dae, state: &mut SystemState) -> Result<(), Failure> {
     match solver::initial::accelerations(dae, state) {
         // Parts without inertia have no acceleration of their own; without constraints nothing but
         // accelerations is missing then, and about a state of rest they are zero.
-        Err(Failure { reason: Reason::Singular, .. }) if dae.constraints() == 0 => state.a.fill(0.0),
-        other => other.map_err(|f| vec![failed(&f)])?,
+        Err(Failure { reason: Reason::Singular, .. }) if dae.constraints() == 0 => {
+            state.a.fill(0.0);
+            Ok(())
+        }
+        other => other,
     }
-    solver::modes(dae, state, &ModeOptions::default()).map_err(|f| vec![failed(&f)])
 }
 
 /// The system in axes that turn about a marker, if everything in it can turn along.

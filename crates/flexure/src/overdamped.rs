@@ -1,45 +1,101 @@
 //! The trap of a beam's damping ratio: it is a time, and typed as if it were a modal damping ratio it
 //! keeps a structure from swinging at all. One beam alone cannot tell (short pieces of a long chain are
-//! overdamped by themselves and nobody misses it), so the modes of the model do.
+//! overdamped by themselves and nobody misses it), so the lowest modes of the model do. They are found
+//! by iteration, whose cost grows with the model and no faster.
 
 use elements::Finding;
 use model::{Database, ObjectId};
 use schema::Dimension;
+use solver::{LowMode, lowest_modes};
 use text::Diagnostic;
 
-use crate::modes::{self, ModesAbout};
-use crate::run::Silent;
+use crate::modes::at_rest;
+use crate::simulate::prepare;
 
-/// Models with more parts are not looked at: the dense modes would take longer than all other checks.
-const MOST_PARTS: usize = 60;
+/// Vectors to iterate: six rigid motions and some more at first; many if a model falls apart.
+const VECTORS: [usize; 2] = [12, 60];
 
-/// A warning if beams are damped and not one mode of the model swings.
+/// A warning if beams are damped and the lowest elastic mode of the model does not swing.
 pub(crate) fn find(database: &Database, model: ObjectId) -> Option<Finding> {
     let ratio = |beam: &ObjectId| database.si(*beam, "damping_ratio").filter(|ratio| *ratio > 0.0);
+    let matrix = |beam: &ObjectId| database.value(*beam, "matrix_of_damping_terms").is_some();
     let beams = database.below(model, "beam");
-    let (beam, ratio) =
-        beams.iter().filter_map(|b| Some((*b, ratio(b)?))).max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
-    if database.below(model, "part").len() > MOST_PARTS {
-        return None;
-    }
-    let options = elements::Options::default();
-    let found = modes::find(database, model, None, &ModesAbout::Present, options, &mut Silent).ok()?.modes;
-    let elastic = |m: &&modes::Mode| m.real.hypot(m.imaginary) > 1e-3;
-    let slowest = found.iter().find(elastic)?;
-    // Many overdamped motions creep at nearly the same rate; rounding gives such roots a tiny imaginary part.
-    let swings = |m: &modes::Mode| m.imaginary > 0.01 * m.real.abs();
-    if found.iter().filter(elastic).any(swings) || slowest.real >= 0.0 {
-        return None;
-    }
+    let damped: Vec<(ObjectId, f64)> =
+        beams.iter().filter(|b| !matrix(b)).filter_map(|b| Some((*b, ratio(b)?))).collect();
+    let (beam, _) = *damped.iter().max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
     let name = database.full_name(beam);
+    match lowest(database, model)? {
+        Lowest::Mode(mode) if mode.damping_ratio >= 1.0 => Some(overdamped(database, &damped, &name, mode)),
+        Lowest::Mode(_) => None,
+        Lowest::OnlyRigid => Some(Finding::new(
+            Diagnostic::new(
+                text::Severity::Note,
+                "beam/damping-not-looked-at",
+                format!("whether `damping_ratio` of beam `{name}` keeps the model from swinging was not found out"),
+            )
+            .note(format!("the {} lowest motions of the model have no stiffness", VECTORS[1]))
+            .help("`flexure modes` lists all modes with their damping"),
+        )),
+    }
+}
+
+enum Lowest {
+    /// The lowest elastic mode.
+    Mode(LowMode),
+    OnlyRigid,
+}
+
+/// `None` if the model cannot be lowered or has no modes, which is reported elsewhere.
+fn lowest(database: &Database, model: ObjectId) -> Option<Lowest> {
+    let mut prepared = prepare(database, model, None, elements::Options::default()).ok()?;
+    let (system, state) = (&mut prepared.lowered.system, &mut prepared.state);
+    at_rest(system, state).ok()?;
+    for vectors in VECTORS {
+        let modes = lowest_modes(system, state, vectors).ok()?;
+        if let Some(mode) = modes.into_iter().find(|m| m.frequency > 0.0) {
+            return Some(Lowest::Mode(mode));
+        }
+        if vectors >= system.velocities() {
+            return None;
+        }
+    }
+    Some(Lowest::OnlyRigid)
+}
+
+fn overdamped(database: &Database, damped: &[(ObjectId, f64)], name: &str, mode: LowMode) -> Finding {
+    let LowMode { frequency: w, damping_ratio: zeta } = mode;
     let (unit, factor) = (database.units().label(Dimension::TIME), database.units().factor(Dimension::TIME));
-    Some(Finding::new(
-        Diagnostic::warning(
-            "beam/overdamped",
-            format!("no mode of the model swings: `damping_ratio` of beam `{name}` is {} {unit}", ratio / factor),
-        )
-        .note(format!("the slowest motion creeps back with {:.4} per second", -slowest.real))
-        .note("damping_ratio is a time: a mode of w rad/s gets the modal damping ratio damping_ratio * w / 2")
-        .help("for a modal damping of 1 percent at w rad/s give 0.02 / w"),
+    let typed = |ratio: f64| ratio / factor;
+    let largest = damped.iter().map(|d| typed(d.1)).fold(0.0, f64::max);
+    // The slow one of the two real roots, without the difference of nearly equal numbers.
+    let creeps = w / (zeta + (zeta * zeta - 1.0).sqrt());
+    let diagnostic = Diagnostic::warning(
+        "beam/overdamped",
+        format!("no mode of the model swings: `damping_ratio` of beam `{name}` is {largest} {unit}"),
+    )
+    .note(format!(
+        "the lowest mode, {w:.4} rad/s without damping, has {zeta:.4} of its critical damping and creeps back with {creeps:.4} per second"
     ))
+    .note("damping_ratio is a time: a mode of w rad/s gets the modal damping ratio damping_ratio * w / 2")
+    .help(format!("for a modal damping of 1 percent of the lowest mode give {:.4e} {unit}", 0.02 / w / factor));
+    let computed =
+        damped.iter().any(|(beam, _)| database.cell(*beam, "damping_ratio").is_some_and(model::Cell::is_expression));
+    if largest >= 1.0 || computed {
+        let why = if computed {
+            "the number comes from an expression"
+        } else {
+            "a modal damping ratio is below 1, so that the number is none"
+        };
+        return Finding::new(diagnostic.note(format!("no fix is offered: {why}")));
+    }
+    let commands: Vec<String> = damped
+        .iter()
+        .map(|(beam, ratio)| {
+            let name = database.full_name(*beam);
+            let time = 2.0 * typed(*ratio) / w / factor;
+            format!("force modify element_like beam beam_name={name} damping_ratio={time:e}")
+        })
+        .collect();
+    Finding::new(diagnostic.note("the fix takes the number for the modal damping ratio of the lowest mode"))
+        .fixed_by(commands.join("\n"))
 }

@@ -128,6 +128,9 @@ pub struct Field {
     pub kind: Kind,
     pub dimension: Dimension,
     pub count: Count,
+    /// Side of a symmetric matrix whose lower triangle by columns the values are; all terms of the
+    /// matrix are taken too.
+    pub symmetric: Option<usize>,
     pub default: Default,
     pub limit: Limit,
     pub required: bool,
@@ -145,6 +148,7 @@ impl Field {
             kind,
             dimension: Dimension::NONE,
             count: Count::ONE,
+            symmetric: None,
             default: Default::None,
             limit: Limit::None,
             required: false,
@@ -204,6 +208,12 @@ impl Field {
 
     pub const fn true_false(name: &'static str) -> Field {
         Field::new(name, Kind::Boolean("true", "false"))
+    }
+
+    /// The lower triangle by columns of a symmetric matrix of that many rows.
+    pub const fn lower_triangle(mut self, side: usize) -> Field {
+        self.symmetric = Some(side);
+        self.count(Count::exactly(side * (side + 1) / 2))
     }
 
     /// Three coordinates.

@@ -7,8 +7,10 @@
 
 mod class;
 mod field;
+mod symmetric;
 mod units;
 
 pub use class::{Class, Group, Registry, Rule, Verb};
 pub use field::{Count, Default, Field, Kind, Limit, Names, Use};
+pub use symmetric::{SYMMETRY_TOLERANCE, Unequal, lower_triangle, place_by_columns, triangle_places};
 pub use units::{Dimension, Quantity, UnitName, UnitSystem, UnitTable, parse_unit_expression, unit_table};

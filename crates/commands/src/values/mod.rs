@@ -14,6 +14,7 @@ use crate::{
     evaluation::{self, Outcome},
     lookup,
     program::Program,
+    symmetric,
 };
 
 /// A value for a cell, not yet stored.
@@ -125,7 +126,8 @@ impl Reader<'_> {
             }
             return Err(errors);
         }
-        if values.len() < field.count.least || values.len() > field.count.most {
+        let full = field.symmetric.is_some_and(|side| values.len() == side * side);
+        if !full && (values.len() < field.count.least || values.len() > field.count.most) {
             return Err(vec![Self::count_error(field, argument, values.len())]);
         }
         for (x, item) in values.iter().zip(argument.values.iter().chain(std::iter::repeat(&argument.values[0]))) {
@@ -140,6 +142,12 @@ impl Reader<'_> {
                     .at(item.span, format!("this is {x}"))
                     .adams("Invalid input. Enter an integer.");
                 return Err(vec![error]);
+            }
+        }
+        if let Some((triangle, kept)) = symmetric::folded(field, argument, &values, &elements).map_err(|e| vec![e])? {
+            values = triangle.into();
+            if count > 1 {
+                elements = kept;
             }
         }
         self.warn_outside(field, &values, argument);
@@ -176,6 +184,7 @@ impl Reader<'_> {
 
     fn count_error(field: &Field, argument: &Argument, found: usize) -> Diagnostic {
         let wanted = match (field.count.least, field.count.most) {
+            (least, _) if let Some(side) = field.symmetric => format!("{least} or {}", side * side),
             (least, most) if least == most => format!("{least}"),
             (least, usize::MAX) => format!("at least {least}"),
             (least, most) => format!("{least} to {most}"),
@@ -188,7 +197,11 @@ impl Reader<'_> {
         Diagnostic::error("command/wrong-count", format!("`{}` wants {wanted} {noun}{plural}, not {found}", field.name))
             .at(argument.value_span, format!("{found} given"))
             .help(format!("give {wanted} {noun}{plural}, separated by commas"))
-            .adams(format!("{wanted} values are required for '{}'.", field.name))
+            .adams(format!(
+                "{} values are required for '{}'.",
+                if field.symmetric.is_some() { field.count.least.to_string() } else { wanted },
+                field.name
+            ))
     }
 
     fn number_item(&mut self, field: &Field, item: &Item) -> Result<NumberItem, Errors> {

@@ -55,7 +55,7 @@ fn default(database: &Database, beam: ObjectId, name: &str) -> f64 {
 pub fn law(database: &Database, beam: ObjectId, nonlinear_shear: bool) -> Result<Law, Vec<Diagnostic>> {
     let section = section(database, beam);
     let mut troubles = Vec::new();
-    check(database, beam, &section, &mut troubles);
+    troubles.extend(wrong_data(database, beam, &section).into_iter().map(|(_, error)| error));
     let stiffness = stiffness(&section);
     let damping = damping(database, beam, &mut troubles);
     let ratio = if let Damping::Proportional(ratio) = damping { ratio } else { 0.0 };
@@ -76,10 +76,11 @@ pub fn law(database: &Database, beam: ObjectId, nonlinear_shear: bool) -> Result
     }
 }
 
-/// Section data without which there is no beam.
-fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Diagnostic>) {
+/// Section data with which there is no beam: the cell and what is wrong with it.
+pub fn wrong_data(database: &Database, beam: ObjectId, s: &Section) -> Vec<(&'static str, Diagnostic)> {
     let name = database.full_name(beam);
-    let mut must = |cell: &str, value: f64, positive: bool| {
+    let mut wrong = Vec::new();
+    let mut must = |cell: &'static str, value: f64, positive: bool| {
         let bad = !value.is_finite() || value < 0.0 || (positive && value == 0.0);
         if !bad {
             return;
@@ -90,10 +91,9 @@ fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Di
             (true, true) => ("beam/not-positive", "above 0"),
             (true, false) => ("beam/negative", "0 or above"),
         };
-        troubles.push(
-            Diagnostic::error(code, format!("`{cell}` of beam `{name}` is {shown}; it must be {wanted}"))
-                .help(format!("force modify element_like beam beam_name={name} {cell}=...")),
-        );
+        let error = Diagnostic::error(code, format!("`{cell}` of beam `{name}` is {shown}; it must be {wanted}"))
+            .help(format!("force modify element_like beam beam_name={name} {cell}=..."));
+        wrong.push((cell, error));
     };
     must("length", s.length, true);
     must("area_of_cross_section", s.area, true);
@@ -104,6 +104,11 @@ fn check(database: &Database, beam: ObjectId, s: &Section, troubles: &mut Vec<Di
     must("izz", s.izz, false);
     must("y_shear_area_ratio", s.asy, false);
     must("z_shear_area_ratio", s.asz, false);
+    // The terms of a matrix win over the ratio.
+    if database.value(beam, "matrix_of_damping_terms").is_none() {
+        must("damping_ratio", database.si(beam, "damping_ratio").unwrap_or(0.0), false);
+    }
+    wrong
 }
 
 /// How a beam is damped, SI.
@@ -138,17 +143,7 @@ fn damping(database: &Database, beam: ObjectId, troubles: &mut Vec<Diagnostic>) 
         }
         return Damping::Matrix(Box::new(damping_in_si(database, &terms)));
     }
-    let ratio = database.si(beam, "damping_ratio").unwrap_or(0.0);
-    if !ratio.is_finite() || ratio < 0.0 {
-        troubles.push(
-            Diagnostic::error(
-                "beam/negative",
-                format!("`damping_ratio` of beam `{name}` is {ratio} s; it must be 0 or above and finite"),
-            )
-            .help(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
-        );
-    }
-    Damping::Proportional(ratio)
+    Damping::Proportional(database.si(beam, "damping_ratio").unwrap_or(0.0))
 }
 
 /// Terms are in force, length and time of the model and radians.

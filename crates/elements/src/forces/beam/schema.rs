@@ -72,14 +72,17 @@ pub const CLASS: Class = Class {
                     .at_least(0.0)
                     .doc("damping matrix as a multiple of the stiffness matrix"),
                 Field::real("matrix_of_damping_terms", Dimension::NONE)
-                    .count(Count::exactly(21))
+                    .lower_triangle(6)
                     .keyword("CMATRIX")
-                    .doc("21 terms of the damping matrix, lower triangle by columns"),
+                    .doc("damping matrix: 21 terms, its lower triangle by columns, or all 36 if it is symmetric"),
                 Field::choice("formulation", &["linear", "string", "nonlinear"])
                     .default_word("linear")
                     .keyword("FORMULATION")
                     .doc("law of the beam"),
-                common::LOCATION.on_create(),
+                common::LOCATION
+                    .count(Count::between(3, 6))
+                    .doc("position of the markers that are made; a second triple is that of the J marker")
+                    .on_create(),
                 common::ORIENTATION.on_create(),
                 common::ALONG_AXIS_ORIENTATION.on_create(),
                 common::IN_PLANE_ORIENTATION.on_create(),
