@@ -6,7 +6,7 @@
 use elements::Finding;
 use model::{Database, ObjectId};
 use schema::Dimension;
-use solver::{LowMode, lowest_modes};
+use solver::{Dae, LowMode, lowest_modes};
 use text::Diagnostic;
 
 use crate::modes::at_rest;

@@ -1,7 +1,7 @@
 //! The lines of listings: objects from the tables of their classes, connections of parts, settings.
 
 use model::{Cell, Database, ObjectId, Value};
-use schema::Field;
+use schema::{Field, Use};
 
 use crate::{Interpreter, evaluation, number, values::text_of};
 
@@ -38,14 +38,15 @@ pub fn describe(interpreter: &Interpreter, id: ObjectId, brief: bool, lines: &mu
         }
         match object.cells.get(index).and_then(Option::as_ref) {
             Some(cell) => lines.extend(value_lines(database, id, field, cell, brief)),
-            None if !brief => lines.push(line(field.name, "(not set)")),
+            // What only creates (places of markers that are made) is no value of the object.
+            None if !brief && field.usage != Use::Create => lines.push(line(field.name, "(not set)")),
             None => {}
         }
     }
     if brief {
         return;
     }
-    if has("location") {
+    if object.class.fields().any(|f| f.name == "location" && f.usage != Use::Create) {
         let pose = database.global_pose(id);
         let unit = database.units().label(schema::Dimension::LENGTH);
         let numbers = |v: [f64; 3]| v.map(shown).join(", ");
