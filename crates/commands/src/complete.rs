@@ -282,7 +282,7 @@ impl Interpreter {
         let database = &self.database;
         let mut found = Vec::new();
         if let Some(parent) = crate::lookup::default_parent(database, class) {
-            let name = database.generated_name(class, Some(parent), class.prefix);
+            let name = self.next_name(class, Some(parent));
             let full = format!("{}.{name}", database.full_name(parent));
             if begins(&full, prefix) {
                 found.push(Candidate { text: full, note: "the next free name".into() });

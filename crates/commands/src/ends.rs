@@ -70,10 +70,7 @@ pub fn generate_markers(interpreter: &mut Interpreter, id: ObjectId, call: &Call
         let Ok(made) = interpreter.database.create(marker_class, Some(body), &name) else { continue };
         interpreter.names.created(&interpreter.database, made);
         let mut reader = interpreter.reader(call, Some(made));
-        let mut placement = place::read(&mut reader, call, Some(made), Some(body))?;
-        if let Some(location) = &mut placement.location {
-            location.value = of_end(&location.value, end, call)?;
-        }
+        let placement = place::read_one(&mut reader, call, Some(made), Some(body), end)?;
         let pose = default_orientation(interpreter, body);
         let orientation = placement.orientation.unwrap_or(pose);
         for (name, draft) in [("location", placement.location), ("orientation", Some(orientation))] {
@@ -88,21 +85,6 @@ pub fn generate_markers(interpreter: &mut Interpreter, id: ObjectId, call: &Call
         interpreter.store(CellKey::new(id, cell), Draft::literal(Value::Object(made)));
     }
     Ok(())
-}
-
-/// The place of one end: the first triple of numbers, or the second for the second end where there
-/// are two.
-fn of_end(location: &Value, end: usize, call: &Call) -> Result<Value, Vec<Diagnostic>> {
-    let numbers = location.as_numbers().unwrap_or_default();
-    match (numbers.chunks(3).nth(end).or_else(|| numbers.chunks(3).next()), numbers.len()) {
-        (Some(triple), 3 | 6) => Ok(Value::Array(model::Array::column(triple.to_vec()))),
-        (_, count) => Err(vec![
-            Diagnostic::error("command/wrong-count", format!("`location` wants 3 or 6 numbers, not {count}"))
-                .at(call.argument("location").map_or(call.span, |a| a.value_span), format!("{count} given"))
-                .help("three for both markers in one place, or three for each")
-                .adams("3 values are required for 'location'."),
-        ]),
-    }
 }
 
 /// Angles 0, 0, 0 in the frame that values are read in, seen from the body.

@@ -6,7 +6,7 @@ use schema::Class;
 
 /// What is known about names and ids in use. Only a memory: it is dropped whenever something may
 /// have been taken back, and built anew from the database.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Names {
     /// Objects of a kind in a model, by model and word of the class.
     counts: FxHashMap<(Option<ObjectId>, &'static str), u64>,

@@ -39,6 +39,17 @@ pub fn read(
     object: Option<ObjectId>,
     parent: Option<ObjectId>,
 ) -> Result<Placement, Vec<Diagnostic>> {
+    read_one(reader, call, object, parent, 0)
+}
+
+/// As [`read`], where a location may be several places: takes the one of that number, or the only one.
+pub fn read_one(
+    reader: &mut Reader,
+    call: &Call,
+    object: Option<ObjectId>,
+    parent: Option<ObjectId>,
+    which: usize,
+) -> Result<Placement, Vec<Diagnostic>> {
     let database = reader.database;
     let frame = match (call.argument("relative_to"), call.field("relative_to")) {
         (Some(argument), Some(field)) => {
@@ -63,6 +74,18 @@ pub fn read(
         let field = *field;
         let mut draft = reader.read(&field, argument)?;
         let numbers = draft.value.numbers();
+        if !numbers.len().is_multiple_of(3) {
+            return Err(vec![
+                Diagnostic::error(
+                    "command/wrong-count",
+                    format!("`location` wants three numbers for each place, not {}", numbers.len()),
+                )
+                .at(argument.value_span, format!("{} given", numbers.len()))
+                .help("give three numbers for both ends, or six for one place each")
+                .adams("Invalid input. Enter a location."),
+            ]);
+        }
+        let numbers = numbers.chunks(3).nth(which).unwrap_or(numbers);
         let typed = if draft.source == Source::Literal || matches!(draft.source, Source::Elements(_)) {
             cartesian(database, numbers)
         } else {

@@ -8,7 +8,7 @@ use model::{Database, ObjectId};
 use schema::{Class, Field, Verb};
 
 use super::{VerbEntry, defaults::keep_words, entry};
-use crate::Interpreter;
+use crate::{Interpreter, names::Names};
 
 const fn prefixes(path: &'static str, fields: &'static [Field]) -> VerbEntry {
     entry(Verb { path, fields, rules: &[], doc: "what generated names of these kinds begin with" }, keep_words)
@@ -196,12 +196,24 @@ fn layout(database: &Database, class: &Class) -> Layout {
 impl Interpreter {
     /// A free generated name.
     pub(crate) fn generate_name(&mut self, class: &'static Class, parent: Option<ObjectId>) -> String {
+        let mut names = std::mem::take(&mut self.names);
+        let name = self.name_from(&mut names, class, parent);
+        self.names = names;
+        name
+    }
+
+    /// The name that the next object of a class would get.
+    pub(crate) fn next_name(&self, class: &'static Class, parent: Option<ObjectId>) -> String {
+        self.name_from(&mut self.names.clone(), class, parent)
+    }
+
+    fn name_from(&self, names: &mut Names, class: &'static Class, parent: Option<ObjectId>) -> String {
         let Layout { before, number, behind } = layout(&self.database, class);
         if number && behind.is_empty() {
-            return self.names.generate(&self.database, class, parent, &before);
+            return names.generate(&self.database, class, parent, &before);
         }
         let wanted = if number {
-            format!("{}{behind}", self.names.generate(&self.database, class, parent, &before))
+            format!("{}{behind}", names.generate(&self.database, class, parent, &before))
         } else {
             format!("{}{behind}", before.trim_end_matches('_'))
         };

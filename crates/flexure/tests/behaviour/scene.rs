@@ -148,6 +148,14 @@ impl Scene {
         self.text(".string", "string_value")
     }
 
+    /// A session that has read an export. What only concerns the display is skipped.
+    pub fn of_export(text: &str) -> Scene {
+        let mut scene = Scene::empty();
+        let report = scene.session.execute(text);
+        assert!(report.failed == 0, "{text}\n{}", scene.told(&report));
+        scene
+    }
+
     /// The model as a command file.
     pub fn export(&mut self) -> String {
         let path = self.folder.path().join("export.cmd");
