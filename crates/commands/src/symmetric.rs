@@ -5,6 +5,9 @@ use schema::{Field, SYMMETRY_TOLERANCE, lower_triangle, place_by_columns, triang
 use syntax::command::Argument;
 use text::Diagnostic;
 
+/// The terms of the lower triangle, and their expressions if there are any.
+type Triangle = (Vec<f64>, Vec<Option<Expression>>);
+
 /// The numbers and expressions to store of a field that may be given as a full matrix; as they are
 /// if they are no full matrix.
 pub fn folded(
@@ -12,7 +15,7 @@ pub fn folded(
     argument: &Argument,
     values: &[f64],
     elements: &[Option<Expression>],
-) -> Result<Option<(Vec<f64>, Vec<Option<Expression>>)>, Diagnostic> {
+) -> Result<Option<Triangle>, Diagnostic> {
     let Some(side) = field.symmetric.filter(|side| values.len() == side * side) else { return Ok(None) };
     let numbers = lower_triangle(values, side).map_err(|pair| {
         let of = |index: usize| {

@@ -96,7 +96,7 @@ fn objects_are_offered_short_in_full_and_by_path_the_current_one_first() {
     offers("marker delete marker_name = arm.t", &["arm.tip"], 28);
     offers("marker delete marker_name = tip,.m.g", &[".m.ground.same"], 32);
     offers("part delete part_name = ", &["arm", "ground"], 24);
-    offers("marker create marker_name = ", &[".m.arm.MARKER_1"], 28);
+    offers("marker create marker_name = ", &[".m.arm.MARKER_4"], 28);
 }
 
 #[test]

@@ -19,11 +19,14 @@ const LIMITS: &[(&str, &str)] = &[
     ("P_cr_continuous", "the continuum"),
     ("v_tip_continuous", "the continuum"),
     ("theta_tip_continuous", "the continuum"),
-    ("flap1", "the continuum to 1e-7; extrapolated chains reach 1e-5, see mechanisms/rotating"),
-    ("flap2", "as flap1"),
-    ("lag1", "as flap1"),
-    ("lag2", "as flap1"),
 ];
+
+/// Cases that are met to another relative tolerance than the file states, and why.
+const WIDER: &[(&str, f64, &str)] = &[(
+    "G_rotating_cantilever_table",
+    1e-5,
+    "1e-7 belongs to the continuum; the polynomial through five chains leaves this much of their error",
+)];
 
 fn numbers(value: &Value) -> Vec<f64> {
     match value {
@@ -228,6 +231,43 @@ fn rotating(case: &Value, found: &mut Vec<(String, Vec<f64>)>, n: usize) {
         };
         found.push((name.clone(), values));
     }
+}
+
+/// Frequencies of the continuous beam from chains: the polynomial in (1/N)^2 through five of them at 1/N = 0.
+/// The chains are all but inextensible and without rotary inertia, as the table is.
+fn rotating_table(case: &Value, found: &mut Vec<(String, Vec<f64>)>) {
+    let beams = [8_usize, 12, 16, 24, 32];
+    let names = ["lag1", "flap1", "lag2", "flap2"];
+    let mut rows: [Vec<f64>; 4] = Default::default();
+    for eta in numbers(&case["model"]["values_of_eta"]) {
+        let mut sets: [Vec<f64>; 4] = Default::default();
+        for n in beams {
+            let text = format!(
+                "chain n={n} formulation=nonlinear ea=1e9 rotary_y=1e-10 rotary_z=1e-10 polar=1e-10 turn=\"{eta:?}*time\""
+            );
+            let about = ModesAbout::Spin { marker: ".chain.ground.node_0".into(), rate: eta };
+            let report = modes(&text, &about);
+            // Bending in turn; turning and stretching are far above.
+            for (set, mode) in sets.iter_mut().zip(&report.modes) {
+                set.push(mode.frequency_hz * TAU);
+            }
+        }
+        let steps = beams.map(|n| 1.0 / (n * n) as f64);
+        for (row, set) in rows.iter_mut().zip(sets) {
+            row.push(at_zero(&steps, set));
+        }
+    }
+    found.extend(names.iter().zip(rows).map(|(name, row)| ((*name).to_string(), row)));
+}
+
+/// Neville's scheme: the polynomial through the points, at zero.
+fn at_zero(x: &[f64], mut y: Vec<f64>) -> f64 {
+    for level in 1..x.len() {
+        for i in 0..x.len() - level {
+            y[i] = (x[i + level] * y[i] - x[i] * y[i + 1]) / (x[i + level] - x[i]);
+        }
+    }
+    y[0]
 }
 
 /// Slope of the squared frequency over the squared rate, from 16 NONLINEAR beams at rest and slowly
@@ -527,8 +567,7 @@ fn compute(id: &str, case: &Value) -> Vec<(String, Vec<f64>)> {
         "E_cmatrix_a" => damping_matrix(case, &mut found),
         "G_southwell" => southwell(&mut found),
         "F7_static_frame" => static_frame(case, &mut found),
-        // Limits only; see mechanisms/rotating.
-        "G_rotating_cantilever_table" => {}
+        "G_rotating_cantilever_table" => rotating_table(case, &mut found),
         "H_spinup_kane" => spin_up(case, &mut found),
         _ if id.starts_with('A') => clamped(case, &mut found),
         _ if id.starts_with('B') || id.starts_with('C') => deflections(id, case, &mut found),
@@ -556,7 +595,9 @@ fn beams_meet_the_reference_cases() {
         for (name, values) in &found {
             let wanted = numbers(&expected[name]["value"]);
             let largest = wanted.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            let allowed = number(&expected[name], "atol") + number(&expected[name], "rtol") * largest;
+            let wider = WIDER.iter().find(|(case, ..)| case == id).map(|w| w.1);
+            let share = wider.unwrap_or_else(|| number(&expected[name], "rtol"));
+            let allowed = number(&expected[name], "atol") + share * largest;
             let off = wanted.iter().zip(values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             met += 1;
             worst = worst.max(off / allowed);
