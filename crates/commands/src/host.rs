@@ -4,7 +4,8 @@
 use std::path::{Path, PathBuf};
 
 use model::{Database, ObjectId};
-use text::Diagnostic;
+use schema::Registry;
+use text::{Diagnostic, FileId, Sources};
 
 /// The kind of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +78,14 @@ pub struct BodyMass {
     pub inertia: glam::DMat3,
 }
 
+/// A model read from a solver data set.
+#[derive(Clone, Debug)]
+pub struct DataSet {
+    pub model: ObjectId,
+    /// What of the data set was not understood, or has no place in the model.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
 /// What the interpreter cannot do itself.
 pub trait Host: Send {
     fn simulate(&mut self, database: &mut Database, request: &SimulationRequest) -> Result<(), Vec<Diagnostic>>;
@@ -84,14 +93,16 @@ pub trait Host: Send {
     /// Writes the solver data set of a model; ids that were 0 are assigned and kept.
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>>;
 
-    /// Reads a solver data set as a new model of that name (or of the file's name).
+    /// Reads a solver data set, a text among the sources, as a new model of that name (or of the
+    /// name it gives itself, or of the file's).
     fn read_data_set(
         &mut self,
         _database: &mut Database,
+        _registry: &Registry,
+        (sources, file): (&Sources, FileId),
         _model_name: Option<&str>,
-        path: &Path,
-    ) -> Result<ObjectId, Vec<Diagnostic>> {
-        Err(vec![unavailable(&format!("reading the data set `{}`", path.display()))])
+    ) -> Result<DataSet, Vec<Diagnostic>> {
+        Err(vec![unavailable(&format!("reading the data set `{}`", sources.name(file)))])
     }
 
     /// The lines of the verification report, and findings.

@@ -45,7 +45,7 @@ mod words;
 
 pub use complete::{Candidate, Completion};
 pub use export::write_model;
-pub use host::{BodyMass, Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
+pub use host::{BodyMass, DataSet, Host, NoHost, OutputTimes, SimulationKind, SimulationRequest};
 pub use interpreter::{Interpreter, OnError, Report};
 pub use journal::Journal;
 pub use known::meaning;

@@ -1,9 +1,10 @@
-//! Solver datasets: a model written as `.adm` text, and `.adm` text split into statements.
+//! Solver datasets: a model written as `.adm` text, and `.adm` text read as a model.
 //!
-//! [`write`] lays a model out as View exports do. Regular statements follow from the schema (the
-//! class names the statement, its fields the arguments); the irregular ones have a file each under
-//! `statements/`. [`number_objects`] gives every object its number in the solver's files.
-//! [`read_statements`] is the first step of reading: names, numbers and arguments with their places.
+//! [`write`] lays a model out as View exports do, [`read()`] makes a model of such text. Regular
+//! statements follow from the schema both ways (the class names the statement, its fields the
+//! arguments); the irregular ones have a file each under `statements/`. [`number_objects`] gives every
+//! object its number in the solver's files. [`read_statements`] is the first step of reading: names,
+//! numbers, comments and arguments with their places.
 
 mod ids;
 mod layout;
@@ -14,5 +15,5 @@ mod write;
 
 pub use ids::number_objects;
 pub use number::{Digits, number};
-pub use read::{Argument, Statement, Statements, read_statements};
+pub use read::{Argument, Loaded, Naming, Statement, Statements, read, read_statements};
 pub use write::{Mass, MassOf, Options, Written, write};

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use model::{Database, ObjectId};
-use schema::UnitSystem;
+use schema::{Dimension, UnitName, UnitSystem};
 use text::Diagnostic;
 
 use crate::{
@@ -11,6 +11,7 @@ use crate::{
     ids::number_objects,
     layout::{Lines, banner, centred},
     number::number,
+    read::{END_OF_MODEL_COMMENTS, NOT_WRITTEN, TITLE},
     statements,
 };
 
@@ -113,11 +114,11 @@ pub(crate) struct Writer<'a> {
 impl Writer<'_> {
     fn model(&mut self, model: ObjectId) {
         let name = self.database.object(model).name.clone();
-        self.lines.push(format!("Adams View model name: {name}"));
+        self.lines.push(format!("{TITLE}{name}"));
         let comments = statements::texts(self.database, model, "comments");
         if !comments.is_empty() {
             self.lines.extend(comments.iter().map(|c| comment(c)));
-            self.lines.push("! END OF MODEL COMMENTS".to_string());
+            self.lines.push(comment(END_OF_MODEL_COMMENTS));
         }
         self.banner("SYSTEM UNITS");
         self.units();
@@ -317,7 +318,7 @@ impl Writer<'_> {
     /// Something of the model that is not in the dataset.
     pub fn warn(&mut self, code: &'static str, message: String) {
         self.lines.push("!".to_string());
-        self.lines.push(format!("! not written: {message}"));
+        self.lines.push(format!("!{NOT_WRITTEN}{message}"));
         self.warnings.push(Diagnostic::warning(code, message));
     }
 
@@ -365,53 +366,69 @@ impl Writer<'_> {
     }
 }
 
-/// A comment line; the reader takes the blank away again.
+/// A comment line; the reader takes the blank away again, which tells it from a mark that only parts
+/// statements. Without it stands what would pass for a message of ours.
 fn comment(text: &str) -> String {
-    if text.is_empty() { "!".to_string() } else { format!("! {text}") }
+    let blank = if text.starts_with(NOT_WRITTEN.trim_start()) { "" } else { " " };
+    format!("!{blank}{}", text.replace(['\n', '\r'], " "))
 }
+
+/// Units and the words of a dataset for them.
+const UNIT_WORDS: &[(&str, &str)] = &[
+    ("newton", "NEWTON"),
+    ("knewton", "KNEWTON"),
+    ("dyne", "DYNE"),
+    ("pound_force", "POUND_FORCE"),
+    ("kpound_force", "KPOUND_FORCE"),
+    ("kg_force", "KILOGRAM_FORCE"),
+    ("ounce_force", "OUNCE_FORCE"),
+    ("millinewton", "MILLINEWTON"),
+    ("centinewton", "CENTINEWTON"),
+    ("poundal", "POUNDAL"),
+    ("kg", "KILOGRAM"),
+    ("gram", "GRAM"),
+    ("pound_mass", "POUND_MASS"),
+    ("kpound_mass", "KPOUND_MASS"),
+    ("slug", "SLUG"),
+    ("slinch", "SLINCH"),
+    ("ounce_mass", "OUNCE_MASS"),
+    ("tonne", "TONNE"),
+    ("milligram", "MILLIGRAM"),
+    ("microgram", "MICROGRAM"),
+    ("mm", "MILLIMETER"),
+    ("cm", "CENTIMETER"),
+    ("meter", "METER"),
+    ("km", "KILOMETER"),
+    ("micrometer", "MICROMETER"),
+    ("nanometer", "NANOMETER"),
+    ("inch", "INCH"),
+    ("foot", "FOOT"),
+    ("yard", "YARD"),
+    ("mile", "MILE"),
+    ("mils", "MILS"),
+    ("microinch", "MICROINCH"),
+    ("second", "SECOND"),
+    ("millisecond", "MILLISECOND"),
+    ("microsecond", "MICROSECOND"),
+    ("nanosecond", "NANOSECOND"),
+    ("minute", "MINUTE"),
+    ("hour", "HOUR"),
+    ("day", "DAY"),
+];
 
 /// The word of a dataset for a unit.
 fn solver_unit(name: &str) -> Option<&'static str> {
-    const WORDS: &[(&str, &str)] = &[
-        ("newton", "NEWTON"),
-        ("knewton", "KNEWTON"),
-        ("dyne", "DYNE"),
-        ("pound_force", "POUND_FORCE"),
-        ("kpound_force", "KPOUND_FORCE"),
-        ("kg_force", "KILOGRAM_FORCE"),
-        ("ounce_force", "OUNCE_FORCE"),
-        ("millinewton", "MILLINEWTON"),
-        ("centinewton", "CENTINEWTON"),
-        ("poundal", "POUNDAL"),
-        ("kg", "KILOGRAM"),
-        ("gram", "GRAM"),
-        ("pound_mass", "POUND_MASS"),
-        ("kpound_mass", "KPOUND_MASS"),
-        ("slug", "SLUG"),
-        ("slinch", "SLINCH"),
-        ("ounce_mass", "OUNCE_MASS"),
-        ("tonne", "TONNE"),
-        ("milligram", "MILLIGRAM"),
-        ("microgram", "MICROGRAM"),
-        ("mm", "MILLIMETER"),
-        ("cm", "CENTIMETER"),
-        ("meter", "METER"),
-        ("km", "KILOMETER"),
-        ("micrometer", "MICROMETER"),
-        ("nanometer", "NANOMETER"),
-        ("inch", "INCH"),
-        ("foot", "FOOT"),
-        ("yard", "YARD"),
-        ("mile", "MILE"),
-        ("mils", "MILS"),
-        ("microinch", "MICROINCH"),
-        ("second", "SECOND"),
-        ("millisecond", "MILLISECOND"),
-        ("microsecond", "MICROSECOND"),
-        ("nanosecond", "NANOSECOND"),
-        ("minute", "MINUTE"),
-        ("hour", "HOUR"),
-        ("day", "DAY"),
-    ];
-    WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
+    UNIT_WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
+}
+
+/// The unit that a word of a dataset means.
+pub(crate) fn unit_of_word(word: &str) -> Option<&'static str> {
+    let found = UNIT_WORDS.iter().find(|(_, solver)| solver.eq_ignore_ascii_case(word));
+    found.map(|(name, _)| *name).or_else(|| word.eq_ignore_ascii_case("MEGAGRAM").then_some("tonne"))
+}
+
+/// The words of a dataset for the units of a dimension.
+pub(crate) fn words_of_units(dimension: Dimension) -> Vec<&'static str> {
+    let fits = |name: &str| UnitName::find(name).is_some_and(|unit| unit.dimension == dimension);
+    UNIT_WORDS.iter().filter(|(name, _)| fits(name)).map(|(_, solver)| *solver).collect()
 }

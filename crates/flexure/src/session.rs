@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use commands::{BodyMass, Host, Interpreter, OnError, SimulationRequest};
+use commands::{BodyMass, DataSet, Host, Interpreter, OnError, SimulationRequest};
 use elements::Finding;
 use model::{Database, ObjectId};
 use results::Polyline;
-use text::{Diagnostic, Format, Sources, render};
+use schema::Registry;
+use text::{Diagnostic, FileId, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
 use crate::compare_models::{ModelDifferences, Side, compare_models};
@@ -22,8 +23,7 @@ use crate::settings::SimulationOptions;
 pub use commands::Report;
 
 /// Files of Adams that are known by their extension and not read.
-const NOT_READ: [(&str, &str); 6] = [
-    ("adm", "a solver dataset"),
+const NOT_READ: [(&str, &str); 5] = [
     ("acf", "a solver command file"),
     ("res", "a results file"),
     ("req", "a request file"),
@@ -171,18 +171,22 @@ impl Session {
 
     // ---- reading and executing ----
 
-    /// Executes a command file (`.cmd`, `.mac`).
+    /// Executes a command file (`.cmd`, `.mac`), or reads a solver dataset (`.adm`) or a model (`.fx`).
     pub fn read(&mut self, path: &Path) -> Report {
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         if let Some((_, what)) = NOT_READ.iter().find(|(known, _)| *known == extension) {
             let text = format!("{} is {what}; Flexure does not read that yet", path.display());
             let refusal = Diagnostic::error("file/not-read-yet", text)
-                .help("Adams View command files (.cmd, .mac) and models of Flexure (.fx) are read");
+                .help("command files (.cmd, .mac), solver datasets (.adm) and models of Flexure (.fx) are read");
             return Report { failed: 1, diagnostics: vec![refusal], ..Report::default() };
         }
         self.engine().folder = path.parent().map(Path::to_path_buf);
         if extension == "fx" {
             return self.read_store(path);
+        }
+        if extension == "adm" {
+            // The command is what the journal replays and what one step takes back.
+            return self.execute(&format!("file adams_data_set read file_name = \"{}\"", path.display()));
         }
         let command = format!("file command read file_name = \"{}\"", path.display());
         self.journalled(&command, |interpreter| interpreter.run_file(path))
@@ -419,6 +423,20 @@ impl Host for EngineHost {
         let mut engine = lock(&self.0);
         warnings.iter().for_each(|w| engine.observer.message(&text::one_line(&Sources::default(), w)));
         Ok(())
+    }
+
+    fn read_data_set(
+        &mut self,
+        database: &mut Database,
+        registry: &Registry,
+        (sources, file): (&Sources, FileId),
+        model_name: Option<&str>,
+    ) -> Result<DataSet, Vec<Diagnostic>> {
+        let stem = Path::new(sources.name(file)).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let otherwise = stem.unwrap_or_default();
+        let naming = dataset::Naming { model: model_name, otherwise: &otherwise };
+        let read = dataset::read(database, registry, file, sources.text(file), naming)?;
+        Ok(DataSet { model: read.model, diagnostics: read.diagnostics })
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {

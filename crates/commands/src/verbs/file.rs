@@ -163,19 +163,22 @@ pub const DATA_SET_READ: VerbEntry = entry(
     data_set_read,
 );
 
+/// Reads a dataset as a model of its own. Its units are in force afterwards: the file's where it has
+/// a UNITS statement, else those of the command.
 fn read_data_set(interpreter: &mut Interpreter, call: &Call, model_name: Option<&str>) -> Outcome<model::ObjectId> {
     let Some(argument) = call.argument("file_name") else { return Err(vec![call.missing(&["file_name"])]) };
     let name = interpreter.text_argument_plain(call, argument)?;
     let path = interpreter.host.resolve(&name);
-    // The file's own UNITS statement holds where it has one.
-    let old = file_units(interpreter, call)?;
-    let outcome = interpreter.host.read_data_set(&mut interpreter.database, model_name, &path);
-    if let Some(old) = old {
-        interpreter.database.set_units(old);
-    }
-    let model = outcome?;
+    let bytes = std::fs::read(&path).map_err(|e| vec![cannot_read(&path, &e).at(argument.value_span, "this file")])?;
+    file_units(interpreter, call)?;
+    let file = interpreter.sources.add_bytes(path.display().to_string(), bytes);
+    let source = (&interpreter.sources, file);
+    let registry = interpreter.registry.clone();
+    let read = interpreter.host.read_data_set(&mut interpreter.database, &registry, source, model_name);
     interpreter.names.forget();
-    Ok(model)
+    let read = read?;
+    interpreter.complain(read.diagnostics);
+    Ok(read.model)
 }
 
 fn data_set_read(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
@@ -201,7 +204,9 @@ pub const DATA_SET_MERGE: VerbEntry = entry(
 fn data_set_merge(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let target = interpreter.model_argument(call)?;
     let passing = interpreter.free_name(None, "merged_data_set");
+    let units = *interpreter.database.units();
     let source = read_data_set(interpreter, call, Some(&passing))?;
+    interpreter.database.set_units(units);
     interpreter.merge_into(source, target, call)?;
     interpreter.database.remove(source);
     interpreter.names.forget();

@@ -1,11 +1,14 @@
 //! PART, POINT_MASS and MARKER: places, masses, start velocities.
 
-use model::{ObjectId, Value};
+use glam::{DMat3, DVec3};
+use model::{Array, ObjectId, Value};
+use text::Diagnostic;
 
 use super::{number_field, texts};
 use crate::{
     layout::Lines,
     number::{number, turn},
+    read::{Builder, Entry, Form, Word},
     write::{Mass, Writer},
 };
 
@@ -141,5 +144,126 @@ pub(super) fn marker(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
             let name = w.database.full_name(id);
             w.warn("dataset/argument-not-written", format!("`{unwritten}` of `{name}` is not written yet"));
         }
+    }
+}
+
+pub(super) const BODY_WORDS: &[Word] = &[
+    ("GROUND", Form::Flag),
+    ("EXACT", Form::Value),
+    ("IP", Form::Value),
+    ("XG", Form::Value),
+    ("ZG", Form::Value),
+    ("MATERIAL", Form::Value),
+];
+pub(super) const MARKER_WORDS: &[Word] = &[
+    ("PART", Form::Value),
+    ("POINT_MASS", Form::Value),
+    ("FLEX_BODY", Form::Value),
+    ("FE_PART", Form::Value),
+    ("NODE_ID", Form::Value),
+    ("NODE_LABEL", Form::Value),
+    ("FLOATING", Form::Flag),
+    ("XP", Form::Value),
+    ("ZP", Form::Value),
+    ("USEXP", Form::Flag),
+    ("RM", Form::Value),
+    ("CURVE", Form::Value),
+    ("SURFACE", Form::Value),
+    ("VELOCITY", Form::Value),
+    ("VM", Form::Value),
+];
+
+/// Moments and products of inertia in the order of IP.
+const INERTIAS: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "izx", "iyz"];
+
+pub(super) fn read_body<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    if e.flag("GROUND") {
+        // It is where it is.
+        return;
+    }
+    read_place(b, e, ["QG", "XG", "ZG"], false);
+    if let (Some(field), Some(argument)) = (Builder::field(e, "exact_coordinates"), e.take("EXACT")) {
+        b.set_word(e, field, argument);
+    }
+    if let Some(argument) = e.take("IP")
+        && let Some(values) = b.plain(argument)
+    {
+        if values.len() != 3 && values.len() != 6 {
+            b.count(argument, values.len(), "3 or 6");
+        }
+        for (name, x) in INERTIAS.iter().zip(values) {
+            b.store(e.id, name, Value::Number(x));
+        }
+    }
+}
+
+pub(super) fn read_marker<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for keyword in ["PART", "POINT_MASS"] {
+        e.take(keyword);
+    }
+    if !e.flag("FLOATING") {
+        let along_x = e.flag("USEXP");
+        read_place(b, e, ["QP", "XP", "ZP"], along_x);
+    }
+}
+
+/// Location and orientation: nothing given is nothing shifted or turned. Two points may aim the axes
+/// in place of angles: at the first one z, or x where `along_x`.
+fn read_place<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>, [origin, x, z]: [&str; 3], along_x: bool) {
+    let points = [x, z].map(|keyword| e.take(keyword));
+    b.store(e.id, "location", Value::Array(Array::column(vec![0.0; 3])));
+    b.store(e.id, "orientation", Value::Array(Array::column(vec![0.0; 3])));
+    if points.iter().all(Option::is_none) {
+        return;
+    }
+    let origin = e.statement.argument(origin).map_or(Some([0.0; 3]), |argument| b.exactly(argument));
+    let [px, pz] = points.map(|argument| argument.and_then(|argument| b.exactly(argument)));
+    let Some(origin) = origin.map(DVec3::from_array) else { return };
+    let [to_x, to_z] = [px, pz].map(|point| point.map(|p: [f64; 3]| DVec3::from_array(p) - origin));
+    let Some(axes) = aimed(to_x, to_z, along_x) else {
+        let message = format!("`{x}` and `{z}` of {} give no direction", e.name());
+        let at = points.into_iter().flatten().next().map_or(e.statement.head, |argument| argument.span);
+        b.report(
+            Diagnostic::error("dataset/no-direction", message)
+                .at(at, "on the origin, or on one line with the other point")
+                .help("give two points off the origin, or angles by `REULER`"),
+        );
+        return;
+    };
+    b.set_angles(e.id, "orientation", model::angles_of(&axes));
+}
+
+/// Axes from the directions to two points: one axis at its point, the other point in the half plane
+/// where the other axis is positive. Without the second, the axis nearest to that of the body.
+fn aimed(to_x: Option<DVec3>, to_z: Option<DVec3>, along_x: bool) -> Option<DMat3> {
+    let apart = |aim: DVec3, other: Option<DVec3>, near: [DVec3; 2]| {
+        let other = other.or_else(|| near.into_iter().find(|axis| aim.cross(*axis).length_squared() > 1e-12));
+        other.filter(|other| aim.cross(*other).length_squared() > 0.0)
+    };
+    if along_x {
+        let x = to_x?.try_normalize()?;
+        let y = apart(x, to_z, [DVec3::Z, DVec3::Y])?.cross(x).try_normalize()?;
+        return Some(DMat3::from_cols(x, y, x.cross(y)));
+    }
+    let z = to_z.unwrap_or(DVec3::Z).try_normalize()?;
+    let y = z.cross(apart(z, to_x, [DVec3::X, DVec3::Y])?).try_normalize()?;
+    Some(DMat3::from_cols(y.cross(z), y, z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Truth: by construction; the second point fixes the plane and its side.
+    #[test]
+    fn two_points_aim_the_axes() {
+        let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z];
+        assert_eq!(aimed(Some(x), Some(z), false), Some(DMat3::IDENTITY));
+        assert_eq!(aimed(Some(x + 5.0 * z), Some(2.0 * z), false), Some(DMat3::IDENTITY));
+        assert_eq!(aimed(Some(3.0 * x), Some(z - x), true), Some(DMat3::IDENTITY));
+        assert_eq!(aimed(Some(y), Some(x), false), Some(DMat3::from_cols(y, z, x)));
+        assert_eq!(aimed(None, Some(z), false), Some(DMat3::IDENTITY));
+        assert_eq!(aimed(Some(z), Some(z), false), None);
+        assert_eq!(aimed(None, Some(DVec3::ZERO), false), None);
     }
 }

@@ -1,9 +1,13 @@
 //! JOINT, JPRIM and MOTION: the kind is a word, start values depend on it.
 
-use model::ObjectId;
+use model::{ObjectId, Value};
 
-use super::{function_or_user, number_field, numbers, reference, type_of_freedom};
-use crate::{layout::Lines, write::Writer};
+use super::{Chosen, function_or_user, number_field, numbers, reference, type_of_freedom};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Statement, Word},
+    write::Writer,
+};
 
 pub(super) fn joint(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     let class = w.database.object(id).class;
@@ -60,4 +64,133 @@ pub(super) fn motion(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         number_field(w, id, name, keyword, lines);
     }
     function_or_user(w, id, lines);
+}
+
+/// Kinds of joints: the word of the statement and the class.
+pub(super) const JOINTS: &[(&str, &str)] = &[
+    ("REVOLUTE", "joint_revolute"),
+    ("TRANSLATIONAL", "joint_translational"),
+    ("CYLINDRICAL", "joint_cylindrical"),
+    ("SPHERICAL", "joint_spherical"),
+    ("PLANAR", "joint_planar"),
+    ("FIXED", "joint_fixed"),
+    ("UNIVERSAL", "joint_universal"),
+    ("HOOKE", "joint_hooke"),
+    ("CONVEL", "joint_convel"),
+    ("SCREW", "joint_screw"),
+    ("RACKPIN", "joint_rackpin"),
+];
+pub(super) const PRIMITIVES: &[(&str, &str)] = &[
+    ("ATPOINT", "jprim_at_point"),
+    ("INLINE", "jprim_inline"),
+    ("INPLANE", "jprim_inplane"),
+    ("ORIENTATION", "jprim_orientation"),
+    ("PARALLEL_AXES", "jprim_parallel_axis"),
+    ("PERPENDICULAR", "jprim_perpendicular"),
+];
+pub(super) const JOINT_WORDS: &[Word] = &[
+    ("REVOLUTE", Form::Flag),
+    ("TRANSLATIONAL", Form::Flag),
+    ("CYLINDRICAL", Form::Flag),
+    ("SPHERICAL", Form::Flag),
+    ("PLANAR", Form::Flag),
+    ("FIXED", Form::Flag),
+    ("UNIVERSAL", Form::Flag),
+    ("HOOKE", Form::Flag),
+    ("CONVEL", Form::Flag),
+    ("SCREW", Form::Flag),
+    ("RACKPIN", Form::Flag),
+    ("PITCH", Form::Value),
+    ("PD", Form::Value),
+    ("IC", Form::Value),
+    ("ICROT", Form::Value),
+    ("ICTRAN", Form::Value),
+];
+pub(super) const PRIMITIVE_WORDS: &[Word] = &[
+    ("ATPOINT", Form::Flag),
+    ("INLINE", Form::Flag),
+    ("INPLANE", Form::Flag),
+    ("ORIENTATION", Form::Flag),
+    ("PARALLEL_AXES", Form::Flag),
+    ("PERPENDICULAR", Form::Flag),
+];
+pub(super) const MOTION_WORDS: &[Word] = &[
+    ("TRANSLATIONAL", Form::Flag),
+    ("ROTATIONAL", Form::Flag),
+    ("X", Form::Flag),
+    ("Y", Form::Flag),
+    ("Z", Form::Flag),
+    ("B1", Form::Flag),
+    ("B2", Form::Flag),
+    ("B3", Form::Flag),
+    ("DISPLACEMENT", Form::Flag),
+    ("VELOCITY", Form::Flag),
+    ("ACCELERATION", Form::Flag),
+    ("ICDISP", Form::Value),
+    ("ICVEL", Form::Value),
+];
+
+/// The class that the word of a statement stands for.
+pub(super) fn kind(statement: &Statement, kinds: &[(&'static str, &'static str)]) -> Chosen {
+    match kinds.iter().find(|(word, _)| statement.has(word)) {
+        Some((_, class)) => Chosen::Class(class),
+        None => Chosen::OneOf(kinds.iter().map(|(word, _)| *word).collect()),
+    }
+}
+
+pub(super) fn read_joint<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    if let Some((word, _)) = JOINTS.iter().chain(PRIMITIVES).find(|(_, class)| *class == e.class.id) {
+        e.flag(word);
+    }
+    for (keyword, cell) in [("PITCH", "pitch"), ("PD", "diameter_of_pitch")] {
+        if e.class.cell_index(cell).is_some()
+            && let Some(argument) = e.take(keyword)
+        {
+            b.set_numbers(e, cell, argument);
+        }
+    }
+    let slides = e.class.cell_index("translational_ic").is_some();
+    let turns = e.class.cell_index("rotational_ic").is_some();
+    for (keyword, cells, here) in [
+        ("ICTRAN", ["translational_ic", "velocity_ic"], slides),
+        ("ICROT", ["rotational_ic", "angular_velocity_ic"], turns),
+        ("IC", ["translational_ic", "velocity_ic"], slides && !turns),
+        ("IC", ["rotational_ic", "angular_velocity_ic"], turns && !slides),
+    ] {
+        if here && let Some(argument) = e.take(keyword) {
+            let Some(list) = b.list(argument) else { continue };
+            if list.is_empty() || list.len() > 2 {
+                b.count(argument, list.len(), "2");
+            }
+            for (cell, one) in cells.into_iter().zip(&list) {
+                b.set_listed(e, cell, argument, std::slice::from_ref(one));
+            }
+        }
+    }
+}
+
+pub(super) fn read_motion<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    super::reading::type_of_freedom(b, e);
+    for (cell, words) in [
+        ("axis", &["X", "Y", "Z", "B1", "B2", "B3"][..]),
+        ("time_derivative", &["DISPLACEMENT", "VELOCITY", "ACCELERATION"]),
+    ] {
+        if let Some(word) = e.one_of(words) {
+            b.store(e.id, cell, Value::Text(word.to_ascii_lowercase()));
+        }
+    }
+    // Whether the start values are lengths or angles follows from what is driven.
+    let text = |b: &Builder<'_>, cell| b.database.text(e.id, cell).map(str::to_string);
+    let turns = text(b, "type_of_freedom")
+        .map_or_else(|| text(b, "axis").is_some_and(|axis| axis.starts_with('b')), |word| word == "rotational");
+    let cells = if turns {
+        ["rotational_displacement_ic", "rotational_velocity_ic"]
+    } else {
+        ["displacement_ic", "velocity_ic"]
+    };
+    for (keyword, cell) in ["ICDISP", "ICVEL"].into_iter().zip(cells) {
+        if let Some(argument) = e.take(keyword) {
+            b.set_numbers(e, cell, argument);
+        }
+    }
 }

@@ -1,9 +1,14 @@
 //! COUPLER, PTCV, CONTACT and DIFF: statements whose words do not follow from the schema alone.
 
-use model::{ObjectId, Value};
+use model::{Array, ObjectId, Value};
+use schema::Kind;
 
 use super::{function_or_user, number_field, numbers, reference, texts};
-use crate::{layout::Lines, write::Writer};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Word},
+    write::Writer,
+};
 
 /// Fails for each cell that is set and that the statement has no known word for.
 fn refuse(w: &mut Writer<'_>, id: ObjectId, cells: &[&str]) {
@@ -143,4 +148,105 @@ pub(super) fn differential_equation(w: &mut Writer<'_>, id: ObjectId, lines: &mu
     }
     refuse(w, id, &["dynamic_hold"]);
     function_or_user(w, id, lines);
+}
+
+pub(super) const COUPLER_WORDS: &[Word] = &[("TYPE", Form::Value), ("FUNCTION", Form::Function)];
+pub(super) const POINT_CURVE_WORDS: &[Word] = &[
+    ("DISPLACEMENT", Form::Value),
+    ("VELOCITY", Form::Value),
+    ("ICRM", Form::Value),
+    ("INTERPOLATION_TOLERANCE", Form::Value),
+];
+pub(super) const CONTACT_WORDS: &[Word] = &[
+    ("TYPE", Form::Value),
+    ("IGEOM", Form::Value),
+    ("JGEOM", Form::Value),
+    ("IMPACT", Form::Flag),
+    ("POISSON", Form::Flag),
+    ("STIFFNESS", Form::Value),
+    ("DAMPING", Form::Value),
+    ("DMAX", Form::Value),
+    ("EXPONENT", Form::Value),
+    ("PENALTY", Form::Value),
+    ("RESTITUTION_COEFFICIENT", Form::Value),
+    ("NORMAL_FUNCTION", Form::Function),
+    ("COULOMB_FRICTION", Form::Value),
+    ("MU_STATIC", Form::Value),
+    ("MU_DYNAMIC", Form::Value),
+    ("STICTION_TRANSITION_VELOCITY", Form::Value),
+    ("FRICTION_TRANSITION_VELOCITY", Form::Value),
+];
+
+pub(super) fn read_coupler<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    if let Some(argument) = e.take("TYPE") {
+        let value = argument.value(b.text);
+        let mut kinds = Vec::new();
+        for word in value.split([':', ',']).map(str::trim) {
+            match word.bytes().next().map(|c| c.to_ascii_uppercase()) {
+                Some(b'R') => kinds.push("rot"),
+                Some(b'T') => kinds.push("tra"),
+                _ => return b.unknown_word(argument, word, &["R", "T"]),
+            }
+        }
+        b.store(e.id, "type_of_freedom", Value::Text(kinds.join("_")));
+    }
+    // One factor given is that of the second joint: the first has 1.
+    if let Some(argument) = e.take("SCALES")
+        && let Some(mut scales) = b.plain(argument)
+    {
+        let joints = b.database.value(e.id, "joint_name").map_or(0, |joints| joints.objects().len());
+        let joints = joints.max(e.statement.argument("JOINTS").map_or(0, |a| a.items(b.text).len()));
+        if scales.len() + 1 == joints {
+            scales.insert(0, 1.0);
+        }
+        if scales.len() != joints {
+            b.count(argument, scales.len(), &joints.to_string());
+        }
+        b.store(e.id, "motion_multipliers", Value::Array(Array::column(scales)));
+    }
+    if let Some(argument) = e.take("FUNCTION") {
+        b.set_function(e, "function", argument);
+    }
+}
+
+pub(super) fn read_point_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for (keyword, cell) in [("DISPLACEMENT", "displacement_ic"), ("VELOCITY", "velocity_ic")] {
+        if let Some(argument) = e.take(keyword) {
+            b.set_numbers(e, cell, argument);
+        }
+    }
+}
+
+pub(super) fn read_contact<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for law in ["IMPACT", "POISSON"] {
+        e.flag(law);
+    }
+    for (keyword, cell) in [
+        ("TYPE", "type"),
+        ("IGEOM", "i_geometry_name"),
+        ("JGEOM", "j_geometry_name"),
+        ("STIFFNESS", "stiffness"),
+        ("DAMPING", "damping"),
+        ("DMAX", "dmax"),
+        ("EXPONENT", "exponent"),
+        ("PENALTY", "penalty"),
+        ("RESTITUTION_COEFFICIENT", "restitution_coefficient"),
+        ("COULOMB_FRICTION", "coulomb_friction"),
+        ("MU_STATIC", "mu_static"),
+        ("MU_DYNAMIC", "mu_dynamic"),
+        ("STICTION_TRANSITION_VELOCITY", "stiction_transition_velocity"),
+        ("FRICTION_TRANSITION_VELOCITY", "friction_transition_velocity"),
+    ] {
+        let Some(field) = Builder::field(e, cell) else { continue };
+        let Some(argument) = e.take(keyword) else { continue };
+        match field.kind {
+            Kind::Object(..) => b.set_objects(e, field, argument),
+            Kind::Choice(_) => b.set_word(e, field, argument),
+            Kind::Text => b.set_text(e, field, argument),
+            _ => b.set_numbers(e, cell, argument),
+        }
+    }
+    if e.statement.argument("COULOMB_FRICTION").is_none() {
+        b.store(e.id, "coulomb_friction", Value::Text("off".to_string()));
+    }
 }

@@ -1,10 +1,14 @@
 //! GRAPHICS: the shapes the solver knows. Shapes only View draws (links, plates, polylines) have no
 //! statement; they change no result.
 
-use model::ObjectId;
+use model::{Array, ObjectId, Value};
 
-use super::{number_field, reference};
-use crate::{layout::Lines, write::Writer};
+use super::{Chosen, number_field, reference};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Statement, Word},
+    write::Writer,
+};
 
 /// Whether a class of shapes belongs to the section of moving graphics.
 pub(crate) fn moves(class: &str) -> bool {
@@ -104,4 +108,131 @@ pub(super) fn graphics(w: &mut Writer<'_>, id: ObjectId, mut lines: Lines) -> Op
         }
     }
     Some(lines)
+}
+
+/// Shapes that the solver knows, and that are not read.
+const UNREAD: &[&str] = &["ARC", "CURVE", "EXTERNAL", "OUTLINE", "PLANE", "POINT", "SPDP", "SPRINGDAMPER", "TORUS"];
+
+pub(super) const WORDS: &[Word] = &[
+    ("CYLINDER", Form::Flag),
+    ("FRUSTUM", Form::Flag),
+    ("ELLIPSOID", Form::Flag),
+    ("CIRCLE", Form::Flag),
+    ("BOX", Form::Flag),
+    ("FORCE", Form::Flag),
+    ("ARC", Form::Flag),
+    ("CURVE", Form::Flag),
+    ("EXTERNAL", Form::Flag),
+    ("OUTLINE", Form::Flag),
+    ("PLANE", Form::Flag),
+    ("POINT", Form::Flag),
+    ("SPDP", Form::Flag),
+    ("SPRINGDAMPER", Form::Flag),
+    ("TORUS", Form::Flag),
+    ("CM", Form::Value),
+    ("CORNER", Form::Value),
+    ("RM", Form::Value),
+    ("X", Form::Value),
+    ("Y", Form::Value),
+    ("Z", Form::Value),
+    ("LENGTH", Form::Value),
+    ("RADIUS", Form::Value),
+    ("SIDES", Form::Value),
+    ("SEG", Form::Value),
+    ("RANGLE", Form::Value),
+    ("ANGLE", Form::Value),
+    ("TOP", Form::Value),
+    ("BOTTOM", Form::Value),
+    ("XSCALE", Form::Value),
+    ("YSCALE", Form::Value),
+    ("ZSCALE", Form::Value),
+    ("ETYPE", Form::Value),
+    ("EID", Form::Value),
+    ("EMARKER", Form::Value),
+    ("CID", Form::Value),
+    ("CRM", Form::Value),
+    ("FILE", Form::Value),
+    ("ELEMENT", Form::Value),
+    ("FACETING_TOLERANCE", Form::Value),
+    ("OUTLINE", Form::Value),
+    ("XMIN", Form::Value),
+    ("XMAX", Form::Value),
+    ("YMIN", Form::Value),
+    ("YMAX", Form::Value),
+    ("COIL", Form::Value),
+];
+
+/// The class of a shape.
+pub(super) fn kind(statement: &Statement) -> Chosen {
+    if let Some((class, ..)) = SHAPES.iter().find(|(_, word, _)| statement.has(word)) {
+        return Chosen::Class(class);
+    }
+    if statement.has("BOX") {
+        return Chosen::Class("block");
+    }
+    if statement.has("FORCE") {
+        return Chosen::Class("force_graphic");
+    }
+    let named = |word: &&&str| statement.has(word) || statement.argument(word).is_some();
+    match UNREAD.iter().find(named) {
+        Some(word) => Chosen::Unread(word),
+        None => Chosen::OneOf(SHAPES.iter().map(|(_, word, _)| *word).chain(["BOX", "FORCE"]).collect()),
+    }
+}
+
+pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    let marker = |b: &mut Builder<'a>, e: &mut Entry<'a>, keyword, cell| {
+        if let (Some(field), Some(argument)) = (Builder::field(e, cell), e.take(keyword)) {
+            b.set_objects(e, field, argument);
+        }
+    };
+    match e.class.id {
+        "force_graphic" => {
+            e.flag("FORCE");
+            marker(b, e, "EMARKER", "applied_at_marker_name");
+            read_force(b, e);
+        }
+        "block" => {
+            e.flag("BOX");
+            marker(b, e, "CORNER", "corner_marker");
+            let corner = ["X", "Y", "Z"].map(|keyword| e.take(keyword).and_then(|argument| b.exactly::<1>(argument)));
+            if let [Some([x]), Some([y]), Some([z])] = corner {
+                b.store(e.id, "diag_corner_coords", Value::Array(Array::column(vec![x, y, z])));
+            }
+        }
+        class => {
+            let Some((_, word, arguments)) = SHAPES.iter().find(|(shape, ..)| *shape == class) else { return };
+            e.flag(word);
+            marker(b, e, "CM", "center_marker");
+            for (cell, keyword, omitted) in *arguments {
+                if let Some(argument) = e.take(keyword) {
+                    b.set_numbers(e, cell, argument);
+                } else if let Some(full) = omitted.filter(|_| *cell == "angle_extent") {
+                    // In degrees, which the dataset's own units have.
+                    b.store(e.id, cell, Value::Number(full));
+                }
+            }
+        }
+    }
+}
+
+/// The element whose arrow is drawn.
+fn read_force<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    let (kind, number) = (e.take("ETYPE"), e.take("EID"));
+    let (Some(kind), Some(number)) = (kind, number) else { return };
+    let typed = kind.value(b.text).to_ascii_uppercase();
+    for cell in ["force_element_name", "joint_name", "jprim_name"] {
+        let Some(field) = Builder::field(e, cell) else { continue };
+        let schema::Kind::Object(_, wanted) = field.kind else { continue };
+        let classes = b.registry.classes.iter().filter(|class| class.is(wanted));
+        let Some(statement) = classes.filter_map(|class| class.statement).find(|s| *s == typed) else { continue };
+        let item = number.items(b.text).into_iter().next();
+        if let Some(item) = item
+            && let Some(object) = b.object(e, number, item, &[statement], wanted)
+        {
+            b.store(e.id, cell, Value::Object(object));
+        }
+        return;
+    }
+    b.not_read(e, kind);
 }

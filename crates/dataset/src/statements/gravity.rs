@@ -1,8 +1,13 @@
 //! ACCGRAV: one for the model, without number or name; components that are zero are left out.
 
-use model::ObjectId;
+use model::{ObjectId, Value};
 
-use crate::{layout::Lines, number::number, write::Writer};
+use crate::{
+    layout::Lines,
+    number::number,
+    read::{Builder, Entry},
+    write::Writer,
+};
 
 pub(crate) fn gravity(w: &Writer<'_>, id: ObjectId) -> Lines {
     let mut lines = Lines::new("ACCGRAV", None);
@@ -14,4 +19,13 @@ pub(crate) fn gravity(w: &Writer<'_>, id: ObjectId) -> Lines {
         }
     }
     lines
+}
+
+/// What is left out is zero; the components that are given follow by their keywords.
+pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for field in e.class.fields() {
+        if field.keyword.is_some() {
+            b.store(e.id, field.name, Value::Number(0.0));
+        }
+    }
 }

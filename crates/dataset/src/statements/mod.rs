@@ -1,11 +1,13 @@
-//! From objects to statements. What the schema says is enough for most ([`regular`]); the others
-//! have a file each.
+//! From objects to statements and back. What the schema says is enough for most ([`regular`]); the
+//! others have a file each, which writes and reads them.
 
 mod body;
 mod constraint;
 mod coupled;
+mod data;
 mod graphics;
 mod gravity;
+mod reading;
 mod regular;
 mod request;
 mod settings;
@@ -13,7 +15,9 @@ mod vector;
 
 pub(crate) use graphics::moves;
 pub(crate) use gravity::gravity;
-pub(crate) use settings::settings;
+pub(crate) use reading::{Chosen, REQUIRED, class_of, is_setting, read, required, words};
+pub(crate) use regular::zero_if_left_out;
+pub(crate) use settings::{read_setting, setting_words, settings};
 
 use model::{Database, FunctionText, ObjectId, Piece, Value};
 

@@ -30,6 +30,10 @@ const ORDER: &[(&str, &[&str])] = &[(
 /// Statements in which a number that is not given is zero, whatever a command fills in.
 const ZERO_IF_LEFT_OUT: &[&str] = &["BUSHING", "SPRINGDAMPER"];
 
+pub(crate) fn zero_if_left_out(statement: &str) -> bool {
+    ZERO_IF_LEFT_OUT.contains(&statement)
+}
+
 /// Appends all arguments of an object.
 pub(super) fn arguments(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     chosen(w, id, lines, |_| true);

@@ -3,7 +3,11 @@
 use model::{ObjectId, Value};
 
 use super::{function_text, reference, texts, user_function};
-use crate::{layout::Lines, write::Writer};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Word, unquoted},
+    write::Writer,
+};
 
 pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     let kind = w.database.text(id, "output_type").map(str::to_ascii_uppercase);
@@ -68,5 +72,30 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     if left_out && !earlier && !of_markers {
         let name = w.database.full_name(id);
         w.fail("dataset/empty-request", format!("`{name}` has no component that can be written"));
+    }
+}
+
+pub(super) const WORDS: &[Word] = &[
+    ("DISPLACEMENT", Form::Flag),
+    ("VELOCITY", Form::Flag),
+    ("ACCELERATION", Form::Flag),
+    ("FORCE", Form::Flag),
+    ("FUNCTION", Form::Function),
+    ("ROUTINE", Form::Value),
+];
+
+pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    if let Some(word) = e.one_of(&["DISPLACEMENT", "VELOCITY", "ACCELERATION", "FORCE"]) {
+        b.store(e.id, "output_type", Value::Text(word.to_ascii_lowercase()));
+    }
+    if let Some(argument) = e.take("TITLE") {
+        let value = argument.value(b.text);
+        b.store(e.id, "title", Value::Texts(value.split(':').map(|word| unquoted(word).to_string()).collect()));
+    }
+    if let Some(argument) = e.take("FUNCTION") {
+        b.set_function(e, "function", argument);
+    }
+    if let (Some(field), Some(argument)) = (Builder::field(e, "routine"), e.take("ROUTINE")) {
+        b.set_text(e, field, argument);
     }
 }

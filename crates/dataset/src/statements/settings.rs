@@ -2,8 +2,14 @@
 
 use model::{ObjectId, Value};
 
+use schema::Kind;
+
 use super::numbers;
-use crate::{layout::Lines, write::Writer};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Word},
+    write::Writer,
+};
 
 /// How a field becomes an argument.
 #[derive(Clone, Copy)]
@@ -91,16 +97,22 @@ const RESULTS: &[(&str, &str, As)] = &[
 const PREFERENCES: &[(&str, &str, As)] =
     &[("contact_faceting_tolerance", "CONTACT_FACETING_TOLERANCE", As::Value), ("thread_count", "NTHREADS", As::Value)];
 
-/// The statement of a settings object. OUTPUT and RESULTS are written without one too, as View does.
-pub(crate) fn settings(w: &mut Writer<'_>, statement: &str, object: Option<ObjectId>) -> Option<Lines> {
-    let table = match statement {
+/// The arguments of a statement of settings.
+fn table(statement: &str) -> &'static [(&'static str, &'static str, As)] {
+    match statement {
         "INTEGRATOR" => INTEGRATOR,
         "EQUILIBRIUM" => EQUILIBRIUM,
         "KINEMATICS" => KINEMATICS,
         "OUTPUT" => OUTPUT,
         "RESULTS" => RESULTS,
-        _ => PREFERENCES,
-    };
+        "PREFERENCES" => PREFERENCES,
+        _ => &[],
+    }
+}
+
+/// The statement of a settings object. OUTPUT and RESULTS are written without one too, as View does.
+pub(crate) fn settings(w: &mut Writer<'_>, statement: &str, object: Option<ObjectId>) -> Option<Lines> {
+    let table = table(statement);
     if object.is_none() && statement != "OUTPUT" && statement != "RESULTS" {
         return None;
     }
@@ -172,6 +184,75 @@ fn unwritten(w: &mut Writer<'_>, id: ObjectId, table: &[(&str, &str, As)]) {
         if !known && !default && w.database.value(id, field.name).is_some() {
             let statement = class.statement.unwrap_or(class.word);
             w.warn("dataset/argument-not-written", format!("`{}` of {statement} is not written yet", field.name));
+        }
+    }
+}
+
+/// Integrators and formulations by the words of the statement.
+const INTEGRATORS: &[&str] =
+    &["CONSTANT_BDF", "GSTIFF", "WSTIFF", "DSTIFF", "ABAM", "CPBDF", "RKF45", "HHT", "NEWMARK", "HASTIFF"];
+const FORMULATIONS: &[&str] = &["I3", "SI2", "SI1", "PSI2"];
+
+/// What a statement of settings knows.
+pub(crate) fn setting_words(statement: &str) -> Vec<Word> {
+    let mut words: Vec<Word> = Vec::new();
+    for (_, keyword, how) in table(statement) {
+        match how {
+            As::Value if *keyword == "COMMENT" => words.push((keyword, Form::Text)),
+            As::Value => words.push((keyword, Form::Value)),
+            As::Word => words.extend([INTEGRATORS, FORMULATIONS].concat().into_iter().map(|w| (w, Form::Flag))),
+            _ => words.push((keyword, Form::Flag)),
+        }
+    }
+    words
+}
+
+/// Reads a statement of settings.
+pub(crate) fn read_setting<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for (name, keyword, how) in table(e.statement.name) {
+        let Some(field) = Builder::field(e, name) else { continue };
+        match how {
+            As::Value => {
+                let Some(argument) = e.take(keyword) else { continue };
+                let Some(id) = b.settings_object(e.class) else { continue };
+                e.id = id;
+                match field.kind {
+                    Kind::Choice(_) => b.set_word(e, field, argument),
+                    Kind::Text | Kind::File => b.set_text(e, field, argument),
+                    _ => b.set_numbers(e, name, argument),
+                }
+            }
+            As::Word => {
+                let integrator = INTEGRATORS.iter().find(|word| e.flag(word));
+                let formulation = FORMULATIONS.iter().find(|word| e.flag(word));
+                // `SI2` alone is an integrator of old files; behind another one it is its formulation.
+                let word = match (*name, integrator, formulation) {
+                    ("integrator_type", Some(word), _) | ("formulation", Some(_), Some(word)) => {
+                        word.to_ascii_lowercase()
+                    }
+                    ("integrator_type", None, Some(&"SI2")) => "si2_gstiff".to_string(),
+                    _ => continue,
+                };
+                if let Some(id) = b.settings_object(e.class) {
+                    b.store(id, name, Value::Text(word));
+                }
+            }
+            As::On | As::Off | As::OnUnlessOff => {
+                let given = e.flag(keyword);
+                let on = matches!(how, As::On);
+                // What a statement without the word says is what a model says without the setting, but
+                // for words that stand there unless told otherwise.
+                let unless = matches!(how, As::OnUnlessOff);
+                if given == unless {
+                    continue;
+                }
+                let Some(id) = b.settings_object(e.class) else { continue };
+                let value = match field.kind {
+                    Kind::Text => Value::Text(if on { "on" } else { "off" }.to_string()),
+                    _ => Value::Flag(on),
+                };
+                b.store(id, name, value);
+            }
         }
     }
 }

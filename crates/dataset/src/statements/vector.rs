@@ -4,7 +4,11 @@ use model::ObjectId;
 use schema::Kind;
 
 use super::{function_text, reference, user_function};
-use crate::{layout::Lines, write::Writer};
+use crate::{
+    layout::Lines,
+    read::{Builder, Entry, Form, Word},
+    write::Writer,
+};
 
 pub(super) fn vector(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     reference(w, id, "i_marker_name", "I", lines);
@@ -38,5 +42,13 @@ pub(super) fn vector(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         if k < last {
             lines.end_function();
         }
+    }
+}
+
+pub(super) const WORDS: &[Word] = &[("FUNCTION", Form::Function)];
+
+pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    if let Some(argument) = e.take("FUNCTION") {
+        b.set_function(e, "function", argument);
     }
 }

@@ -1,0 +1,542 @@
+//! Cells of objects from arguments: numbers with their units, references, words, texts, functions.
+
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
+
+use model::{Array, Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
+use schema::{Default, Dimension, Field, Kind, Registry, UnitName, UnitSystem};
+use text::{Diagnostic, FileId, Span, suggest};
+
+use super::{
+    Entry, Loaded, Naming, Statements,
+    arguments::{Argument, Statement},
+    entry, functions,
+    values::{self, Number},
+};
+use crate::{statements, write};
+
+/// Makes the objects of a model.
+pub(crate) struct Builder<'a> {
+    pub database: &'a mut Database,
+    pub registry: &'a Registry,
+    pub text: &'a str,
+    pub model: ObjectId,
+    file: FileId,
+    /// Objects by statement and number.
+    pub(super) numbers: HashMap<(&'static str, i64), ObjectId>,
+    /// Objects that are not read, with a warning: what refers to them gets one too.
+    pub(super) left_out: HashSet<(&'static str, i64)>,
+    /// How often a name that is taken was asked for.
+    pub(super) taken: HashMap<(ObjectId, String), usize>,
+    /// The units of the dataset with degrees, and with radians.
+    degrees: UnitsId,
+    radians: UnitsId,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+pub(super) fn build(
+    database: &mut Database,
+    registry: &Registry,
+    (file, text): (FileId, &str),
+    found: Statements,
+    naming: Naming<'_>,
+) -> Result<Loaded, Vec<Diagnostic>> {
+    let mut diagnostics = found.diagnostics;
+    if found.statements.is_empty() {
+        let nothing = Diagnostic::error("dataset/empty", "the dataset has no statement that is understood");
+        diagnostics.push(nothing.help("a dataset is a title line, statements such as `PART/1, GROUND`, and `END`"));
+        return Err(diagnostics);
+    }
+    let titled = found.title.strip_prefix(super::TITLE).map(str::trim).filter(|name| is_name(name));
+    let name = naming.model.or(titled).unwrap_or(naming.otherwise);
+    let name: String = name.chars().map(|c| if matches!(c, '.' | '"') { '_' } else { c }).collect();
+    let name = if name.trim().is_empty() { "MODEL_1".to_string() } else { name };
+    let class = registry.class("model").ok_or_else(Vec::new)?;
+    let model = database.create(class, None, &name).map_err(|_| {
+        let taken = format!("there is a model `.{name}` already");
+        vec![Diagnostic::error("dataset/model-exists", taken).help("give the new one a name: `model_name = ...`")]
+    })?;
+    let old = *database.units();
+    let (degrees, radians) = (database.settings().units, database.settings().units);
+    let mut builder = Builder {
+        database,
+        registry,
+        text,
+        model,
+        file,
+        numbers: HashMap::new(),
+        left_out: HashSet::new(),
+        taken: HashMap::new(),
+        degrees,
+        radians,
+        diagnostics,
+    };
+    builder.units(&found.statements, old);
+    if class.cell_index("fit_to_view").is_some() {
+        builder.database.set_value(model, "fit_to_view", Value::Flag(true));
+    }
+    if titled.is_none() && !found.title.trim().is_empty() {
+        builder.database.set_value(model, "title", Value::Text(found.title.trim().to_string()));
+    }
+    let mut comments = found.model_comments;
+    builder.objects(&found.statements, &mut comments);
+    comments.extend(found.trailing_comments);
+    if !comments.is_empty() {
+        builder.database.set_value(model, "comments", Value::Texts(comments));
+    }
+    super::in_order(&mut builder.diagnostics);
+    Ok(Loaded { model, diagnostics: builder.diagnostics })
+}
+
+/// Whether a title ends in what is a name, and not a sentence.
+fn is_name(name: &str) -> bool {
+    !name.is_empty() && name.len() <= 200 && !name.contains(['.', '"', ':', '#', '\t'])
+}
+
+impl<'a> Builder<'a> {
+    pub fn span(&self, range: &Range<usize>) -> Span {
+        Span::new(self.file, range.start, range.end)
+    }
+
+    pub fn report(&mut self, diagnostic: Diagnostic) {
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Puts the units of the dataset in force.
+    fn units(&mut self, all: &[Statement], old: UnitSystem) {
+        let mut units = old;
+        units.angle = UnitName::find("degrees").unwrap_or(units.angle);
+        let mut given = all.iter().filter(|s| s.name == "UNITS" && !s.inactive);
+        if let Some(statement) = given.next() {
+            for argument in &statement.arguments {
+                self.unit(argument, &mut units);
+            }
+        } else {
+            let missing = format!(
+                "the dataset has no UNITS: values are taken in {}, {}, {} and {}",
+                units.length.name, units.mass.name, units.force.name, units.time.name
+            );
+            let at = Span::new(self.file, 0, 0);
+            let help = "add UNITS, or give the units with the command that reads it";
+            self.report(Diagnostic::warning("dataset/no-units", missing).at(at, "not told").help(help));
+        }
+        for again in given {
+            let second = Diagnostic::error("dataset/second-units", "there is a second UNITS");
+            self.report(second.at(again.head, "left out").help("remove one of them"));
+        }
+        self.database.set_units(UnitSystem { angle: UnitName::find("radians").unwrap_or(units.angle), ..units });
+        self.radians = self.database.settings().units;
+        self.database.set_units(units);
+        self.degrees = self.database.settings().units;
+    }
+
+    fn unit(&mut self, argument: &Argument, units: &mut UnitSystem) {
+        let value = argument.value(self.text);
+        let wanted = match argument.keyword.as_str() {
+            "FORCE" => Dimension::FORCE,
+            "MASS" => Dimension::MASS,
+            "LENGTH" => Dimension::LENGTH,
+            "TIME" => Dimension::TIME,
+            "UCF" => {
+                if let Some(factor) = self.list(argument).and_then(|list| list.first().map(|(n, _)| n.value)) {
+                    units.consistency_factor = Some(factor);
+                }
+                return;
+            }
+            "SYSTEM" => {
+                let system = match value.to_ascii_uppercase().as_str() {
+                    "CGS" => UnitSystem::named("cm", "gram", "second", "dyne", "degrees"),
+                    "FPS" => UnitSystem::named("foot", "slug", "second", "pound_force", "degrees"),
+                    "IPS" => UnitSystem::named("inch", "pound_mass", "second", "pound_force", "degrees"),
+                    "MKS" => UnitSystem::named("meter", "kg", "second", "newton", "degrees"),
+                    _ => return self.unknown_word(argument, &value, &["CGS", "FPS", "IPS", "MKS"]),
+                };
+                if let Ok(system) = system {
+                    *units = system;
+                }
+                return;
+            }
+            _ => return,
+        };
+        let named = write::unit_of_word(&value).and_then(UnitName::find).filter(|unit| unit.dimension == wanted);
+        match named {
+            Some(unit) if wanted == Dimension::FORCE => units.force = unit,
+            Some(unit) if wanted == Dimension::MASS => units.mass = unit,
+            Some(unit) if wanted == Dimension::LENGTH => units.length = unit,
+            Some(unit) => units.time = unit,
+            None => self.unknown_word(argument, &value, &write::words_of_units(wanted)),
+        }
+    }
+
+    // ---- troubles ----
+
+    /// Reports a word that is none of those accepted.
+    pub fn unknown_word(&mut self, argument: &Argument, typed: &str, accepted: &[&str]) {
+        let at = argument.items(self.text).first().map_or(argument.span, |(_, range)| self.span(range));
+        let message = format!("`{}` cannot be `{typed}`", argument.keyword);
+        let mut wrong = Diagnostic::error("dataset/unknown-word", message).at(at, "not known");
+        match suggest(typed, accepted.iter().copied()) {
+            Some(near) => wrong = wrong.fix(format!("did you mean `{near}`?"), at, near),
+            None => wrong = wrong.help(format!("it is one of {}", accepted.join(", "))),
+        }
+        self.report(wrong);
+    }
+
+    /// Reports an argument that is understood, but that the model has no place for.
+    pub fn not_read(&mut self, entry: &Entry<'_>, argument: &Argument) {
+        let message = format!("`{}` of {} is not read: the model has no place for it", argument.keyword, entry.name());
+        self.report(Diagnostic::warning("dataset/argument-not-read", message).at(argument.span, "left out"));
+    }
+
+    /// Reports an argument without which the statement means nothing.
+    pub fn missing(&mut self, entry: &Entry<'_>, keyword: &str) {
+        let message = format!("{} has no `{keyword}`", entry.name());
+        let missing = Diagnostic::error("dataset/missing-argument", message);
+        self.report(missing.at(entry.statement.head, format!("`{keyword}` is missing")));
+    }
+
+    // ---- values ----
+
+    /// The numbers of an argument with their places; `None`, and reported, if something else is there.
+    pub fn list(&mut self, argument: &Argument) -> Option<Vec<(Number, Range<usize>)>> {
+        let items = argument.items(self.text);
+        let mut numbers = Vec::with_capacity(items.len());
+        for (item, range) in items {
+            let Some(number) = values::parse(item) else {
+                let at = self.span(&range);
+                self.report(values::no_number(item, &argument.keyword, at));
+                return None;
+            };
+            numbers.push((number, range));
+        }
+        Some(numbers)
+    }
+
+    /// The numbers of an argument as SI angles where they are angles.
+    pub fn plain(&mut self, argument: &Argument) -> Option<Vec<f64>> {
+        let list = self.list(argument)?;
+        Some(list.into_iter().map(|(n, _)| if n.degrees { n.value.to_radians() } else { n.value }).collect())
+    }
+
+    /// Numbers that must be so many.
+    pub fn exactly<const N: usize>(&mut self, argument: &Argument) -> Option<[f64; N]> {
+        let values = self.plain(argument)?;
+        let array = <[f64; N]>::try_from(values.as_slice()).ok();
+        if array.is_none() {
+            self.count(argument, values.len(), &N.to_string());
+        }
+        array
+    }
+
+    pub fn count(&mut self, argument: &Argument, given: usize, wanted: &str) {
+        let message = format!("`{}` takes {wanted} values, not {given}", argument.keyword);
+        let label = if given == 0 { "nothing is given".to_string() } else { format!("{given} given") };
+        self.report(Diagnostic::error("dataset/count", message).at(argument.span, label));
+    }
+
+    /// Stores a value of the dataset's units.
+    pub fn store(&mut self, id: ObjectId, field: &str, value: Value) {
+        self.store_in(id, field, value, self.degrees);
+    }
+
+    fn store_in(&mut self, id: ObjectId, field: &str, value: Value, units: UnitsId) {
+        if let Some(index) = self.database.object(id).class.cell_index(field) {
+            let cell = Cell { value, units, source: Source::Literal };
+            self.database.set_cell(CellKey::new(id, index), Some(cell));
+        }
+    }
+
+    /// The field of a class by its name.
+    pub fn field(entry: &Entry<'_>, name: &str) -> Option<&'static Field> {
+        entry.class.cell_index(name).map(|index| entry.class.field(index))
+    }
+
+    /// Stores the numbers of an argument in a field.
+    pub fn set_numbers(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument) {
+        let Some(list) = self.list(argument) else { return };
+        self.set_listed(entry, name, argument, &list);
+    }
+
+    /// Stores numbers in a field of a class: as many as it takes, in degrees where they are so.
+    pub fn set_listed(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument, list: &[(Number, Range<usize>)]) {
+        let Some(field) = Self::field(entry, name) else { return };
+        if list.len() < field.count.least || list.len() > field.count.most {
+            let wanted = match (field.count.least, field.count.most) {
+                (least, most) if least == most => least.to_string(),
+                (least, usize::MAX) => format!("at least {least}"),
+                (least, most) => format!("{least} to {most}"),
+            };
+            return self.count(argument, list.len(), &wanted);
+        }
+        let d = field.dimension;
+        let angle = d.angle == 1 && d.length == 0 && d.force == 0 && d.mass == 0 && d.time == 0;
+        let in_degrees = angle && list.iter().any(|(n, _)| n.degrees);
+        let number = |n: &Number| match (n.degrees, in_degrees) {
+            (true, false) => n.value.to_radians(),
+            (false, true) => n.value.to_degrees(),
+            _ => n.value,
+        };
+        let values: Vec<f64> = list.iter().map(|(n, _)| number(n)).collect();
+        if let Some((x, (_, range))) = values.iter().zip(list).find(|(x, _)| !field.limit.allows(**x)) {
+            let message = format!("`{}` of {} is {x}: it must be {}", argument.keyword, entry.name(), field.limit);
+            let at = self.span(range);
+            self.report(Diagnostic::warning("dataset/outside", message).at(at, "outside").help("give another value"));
+        }
+        let units = if d.angle != 0 && !in_degrees { self.radians } else { self.degrees };
+        let value = match (values.as_slice(), field.kind) {
+            ([x], Kind::Integer) if field.count.most == 1 && x.fract() == 0.0 && x.abs() < 9e15 => {
+                Value::Integer(*x as i64)
+            }
+            ([x], _) if field.count.most == 1 => Value::Number(*x),
+            _ => Value::Array(Array::column(values)),
+        };
+        self.store_in(entry.id, field.name, value, units);
+    }
+
+    /// Stores three angles in radians.
+    pub fn set_angles(&mut self, id: ObjectId, field: &str, radians: [f64; 3]) {
+        self.store_in(id, field, Value::Array(Array::column(radians.to_vec())), self.radians);
+    }
+
+    /// The object an item names by its number.
+    pub fn object(
+        &mut self,
+        entry: &Entry<'_>,
+        argument: &Argument,
+        (item, range): (&str, Range<usize>),
+        statements: &[&'static str],
+        wanted: &str,
+    ) -> Option<ObjectId> {
+        let at = self.span(&range);
+        let Some(number) = item.parse::<i64>().ok().filter(|n| *n > 0) else {
+            let shown: String = item.chars().take(40).collect();
+            let message =
+                format!("`{}` needs the number of a {}, not `{shown}`", argument.keyword, statements.join(" or "));
+            self.report(Diagnostic::error("dataset/reference", message).at(at, "a number was expected"));
+            return None;
+        };
+        let found = statements.iter().find_map(|s| self.numbers.get(&(*s, number)).copied());
+        let Some(found) = found else {
+            let kinds = statements.join(" or ");
+            if statements.iter().any(|s| self.left_out.contains(&(*s, number))) {
+                let message = format!("{} refers to {kinds}/{number}, which is not read", entry.name());
+                let unread = Diagnostic::warning("dataset/refers-to-unread", message);
+                self.report(unread.at(at, "left out"));
+                return None;
+            }
+            let message = format!("{} refers to {kinds}/{number}, which is not there", entry.name());
+            self.report(
+                Diagnostic::error("dataset/unknown-id", message).at(at, format!("there is no {kinds}/{number}")),
+            );
+            return None;
+        };
+        let class = self.database.object(found).class;
+        if !class.is(wanted) {
+            let message =
+                format!("`{}` of {} cannot be a {}", argument.keyword, entry.name(), class.word.to_lowercase());
+            let label = format!("{}/{number} is a {}", statements.join(" or "), class.word.to_lowercase());
+            self.report(Diagnostic::error("dataset/wrong-kind", message).at(at, label));
+            return None;
+        }
+        Some(found)
+    }
+
+    /// Stores the objects of an argument.
+    pub fn set_objects(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
+        let Kind::Object(_, wanted) = field.kind else { return };
+        let statements = self.statements_of(wanted, entry.statement.name, &argument.keyword);
+        let items = argument.items(self.text);
+        let given = items.len();
+        if given < field.count.least || given > field.count.most {
+            return self.count(argument, given, &field.count.least.to_string());
+        }
+        let found: Vec<_> =
+            items.into_iter().filter_map(|item| self.object(entry, argument, item, &statements, wanted)).collect();
+        if found.len() != given {
+            return;
+        }
+        let value = match found.as_slice() {
+            [one] if field.count.most == 1 => Value::Object(*one),
+            _ => Value::Objects(found),
+        };
+        self.store(entry.id, field.name, value);
+    }
+
+    /// The statements whose objects a field may refer to.
+    fn statements_of(&self, wanted: &str, statement: &str, keyword: &str) -> Vec<&'static str> {
+        if wanted == "any" {
+            return vec![match (statement, keyword) {
+                (_, "CURVE") => "CURVE",
+                ("LSE", "A" | "B" | "C" | "D") | (_, "KMATRIX" | "CMATRIX" | "MATRIX") => "MATRIX",
+                _ => "ARRAY",
+            }];
+        }
+        let mut statements: Vec<_> =
+            self.registry.classes.iter().filter(|c| c.is(wanted)).filter_map(|c| c.statement).collect();
+        statements.dedup();
+        // Where an element is asked for and another one has that number, the message says so.
+        if wanted == "marker" || wanted == "floating_marker" {
+            return vec!["MARKER"];
+        }
+        statements
+    }
+
+    /// Stores a word that the field accepts, in full or as a beginning.
+    pub fn set_word(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
+        let Kind::Choice(words) = field.kind else { return };
+        let typed = argument.value(self.text);
+        let mut chosen = Vec::new();
+        for word in typed.split(':').map(|word| values::unquoted(word).to_ascii_lowercase()) {
+            let exact = words.iter().find(|known| **known == word);
+            let mut begins = words.iter().filter(|known| !word.is_empty() && known.starts_with(word.as_str()));
+            let only = match (begins.next(), begins.next()) {
+                (Some(one), None) => Some(one),
+                _ => None,
+            };
+            let Some(known) = exact.or(only) else {
+                let capitals: Vec<_> = words.iter().map(|w| w.to_ascii_uppercase()).collect();
+                return self.unknown_word(argument, &word, &capitals.iter().map(String::as_str).collect::<Vec<_>>());
+            };
+            chosen.push((*known).to_string());
+        }
+        let value = match chosen.as_slice() {
+            [one] if field.count.most == 1 => Value::Text(one.clone()),
+            _ => Value::Texts(chosen),
+        };
+        self.store(entry.id, field.name, value);
+    }
+
+    /// Stores a text, or texts between commas.
+    pub fn set_text(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
+        let value = if field.count.most > 1 {
+            let items = argument.items(self.text);
+            Value::Texts(items.into_iter().map(|(item, _)| values::unquoted(item).to_string()).collect())
+        } else {
+            Value::Text(values::unquoted(&argument.value(self.text)).to_string())
+        };
+        self.store(entry.id, field.name, value);
+    }
+
+    /// Stores an expression, or the constants of a subroutine.
+    pub fn set_function(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument) {
+        let text = argument.value(self.text);
+        if let Some(constants) = user_call(&text)
+            && entry.class.cell_index("user_function").is_some()
+        {
+            let mut values = Vec::new();
+            for item in constants.split(',').map(str::trim).filter(|item| !item.is_empty()) {
+                match values::parse(item) {
+                    Some(n) => values.push(if n.degrees { n.value.to_radians() } else { n.value }),
+                    None => return self.report(values::no_number(item, "USER", argument.span)),
+                }
+            }
+            return self.store(entry.id, "user_function", Value::Array(Array::column(values)));
+        }
+        if entry.class.cell_index(name).is_none() {
+            let message = format!("`{}` of {} is not `USER(...)`", argument.keyword, entry.name());
+            return self.report(
+                Diagnostic::error("dataset/function", message)
+                    .at(argument.span, "a subroutine was expected")
+                    .help("give components by their own functions"),
+            );
+        }
+        let numbers = &self.numbers;
+        let (function, missing) =
+            functions::bind(&text, |statement, number| numbers.get(&(statement, number)).copied());
+        for one in missing {
+            let at = argument.source_of(self.text, one.at.start);
+            let at = self.span(&(at..at + one.at.len()));
+            let (statement, number) = (one.statement, one.number);
+            if self.left_out.contains(&(statement, number)) {
+                let message =
+                    format!("a function of {} refers to {statement}/{number}, which is not read", entry.name());
+                let unread = Diagnostic::warning("dataset/refers-to-unread", message);
+                self.report(unread.at(at, "stays a number"));
+                continue;
+            }
+            let message = format!("a function of {} refers to {statement}/{number}, which is not there", entry.name());
+            let unknown = Diagnostic::error("dataset/unknown-id", message);
+            self.report(unknown.at(at, format!("there is no {statement}/{number}")));
+        }
+        self.store(entry.id, name, Value::Function(function));
+    }
+
+    /// Reads an argument by the table of the class.
+    pub fn regular(&mut self, entry: &mut Entry<'a>, field: &'static Field) {
+        let Some(keyword) = field.keyword else { return };
+        if let Kind::Boolean(..) = field.kind {
+            let given = entry.flag(keyword);
+            if given || field.default != Default::None {
+                self.store(entry.id, field.name, Value::Flag(given));
+            }
+            return;
+        }
+        let Some(argument) = entry.take(keyword) else { return };
+        match field.kind {
+            Kind::Function => self.set_function(entry, field.name, argument),
+            Kind::Object(..) => self.set_objects(entry, field, argument),
+            Kind::Choice(_) => self.set_word(entry, field, argument),
+            Kind::Text | Kind::File => self.set_text(entry, field, argument),
+            _ => self.set_numbers(entry, field.name, argument),
+        }
+    }
+
+    /// What a new object has where nothing is given.
+    pub fn defaults(&mut self, entry: &Entry<'_>) {
+        let zero = statements::zero_if_left_out(entry.statement.name);
+        for field in entry.class.groups.iter().filter(|g| g.creates).flat_map(|g| g.fields) {
+            let given = entry
+                .class
+                .cell_index(field.name)
+                .is_none_or(|cell| self.database.object(entry.id).cells[cell].is_some());
+            if given || field.usage == schema::Use::Modify || statements::required(entry.statement.name, field.keyword)
+            {
+                continue;
+            }
+            let value = match (field.default, field.kind) {
+                (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
+                (Default::Number(x), _) => {
+                    let x = if zero { 0.0 } else { x };
+                    if field.count.least > 1 {
+                        Value::Array(Array::column(vec![x; field.count.least]))
+                    } else {
+                        Value::Number(x)
+                    }
+                }
+                (Default::Word(word), Kind::Boolean(yes, _)) => Value::Flag(word == yes),
+                (Default::Word(word), _) => Value::Text(word.to_string()),
+                _ => continue,
+            };
+            self.store(entry.id, field.name, value);
+        }
+    }
+
+    /// Says what of a statement nobody has read.
+    pub fn finish(&mut self, entry: &Entry<'_>) {
+        for argument in entry.left().collect::<Vec<_>>() {
+            self.not_read(entry, argument);
+        }
+    }
+
+    /// The number of a statement, which an object needs.
+    pub fn number_of(&mut self, statement: &Statement) -> Option<i64> {
+        if statement.id.is_none() {
+            let message = format!("{} has no number", entry::name(statement));
+            let missing = Diagnostic::error("dataset/no-id", message);
+            self.report(
+                missing.at(statement.head, "a number was expected").help(format!("write `{}/1`", statement.name)),
+            );
+        }
+        statement.id
+    }
+}
+
+/// What stands in `USER(...)`, if that is all.
+fn user_call(text: &str) -> Option<&str> {
+    let head = text.get(..4)?;
+    if !head.eq_ignore_ascii_case("USER") {
+        return None;
+    }
+    let inner = text[4..].trim_start().strip_prefix('(')?.trim_end().strip_suffix(')')?;
+    (!inner.contains(['(', ')'])).then_some(inner)
+}
