@@ -120,7 +120,7 @@ fn exports_hold_as_many_parts_markers_joints_and_beams_as_their_datasets() {
             let text = String::from_utf8_lossy(&std::fs::read(&dataset).unwrap()).into_owned();
             let mut sources = text::Sources::default();
             let file = sources.add(dataset.display().to_string(), text.as_str());
-            let statements = dataset::read_statements(file, &text);
+            let statements = dataset::read_statements(&elements::registry(), file, &text);
             // The first line names the model the dataset was written from.
             let model = statements.title.rsplit(' ').next().unwrap_or("");
             // The name Adams gives to a new model says nothing: `test.adm` is not that of its neighbour.

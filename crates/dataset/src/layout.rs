@@ -87,9 +87,11 @@ impl Lines {
                 (start, first) = (LEAD.to_string(), false);
                 continue;
             };
+            // The blank behind the comma is part of the expression: it is there only if it was.
+            let parted = rest[..cut].ends_with(' ');
             self.lines.push(format!("{start}{}", rest[..cut].trim_end()));
             rest = rest[cut..].trim_start();
-            (start, first) = (LEAD.to_string(), false);
+            (start, first) = (if parted { LEAD } else { "," }.to_string(), false);
         }
     }
 
@@ -174,9 +176,8 @@ mod tests {
         assert!(lines.iter().all(|l| l.len() <= 80));
         assert!(lines.iter().all(|l| !l.ends_with("E-") && !l.ends_with('E') && !l.ends_with('*')));
         // What a reader joins is the same expression.
-        let joined: String = lines[1..].iter().map(|l| l.trim_start_matches(", ")).collect::<Vec<_>>().join(" ");
-        let squeeze = |s: &str| s.replace(' ', "");
-        assert_eq!(squeeze(&joined), format!("FUNCTION={}", squeeze(&text)));
+        let joined: String = lines[1..].iter().map(|l| l.trim_start_matches(',')).collect();
+        assert_eq!(joined, format!(" FUNCTION = {text}"));
     }
 
     #[test]

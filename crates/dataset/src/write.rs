@@ -310,6 +310,24 @@ impl Writer<'_> {
 
     // ---- for the statements ----
 
+    /// Numbers of a cell in the units of the dataset: angles in degrees, what is per angle or per time
+    /// of an angle in radians. Values entered in those units come back as they are.
+    pub fn plain_numbers(&self, id: ObjectId, name: &str) -> Option<Vec<f64>> {
+        let cell = self.database.cell(id, name)?;
+        let class = self.database.object(id).class;
+        let dimension = class.field(class.cell_index(name)?).dimension;
+        let angle = if statements::is_angle(dimension) { "degrees" } else { "radians" };
+        let units = self.database.units();
+        let target = UnitSystem { angle: UnitName::find(angle).unwrap_or(units.angle), ..*units };
+        let entered = self.database.unit_system(cell.units).factor(dimension);
+        let written = target.factor(dimension);
+        let mut values = cell.value.as_numbers()?;
+        if entered != written {
+            values.iter_mut().for_each(|x| *x *= entered / written);
+        }
+        Some(values)
+    }
+
     /// An object of a kind that has no statement; each kind is reported once.
     pub fn skip(&mut self, id: ObjectId, why: &'static str) {
         *self.skipped.entry((self.database.object(id).class.word, why)).or_default() += 1;

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use commands::{OutputTimes, SimulationKind, SimulationRequest};
+use dataset::Digits;
 use model::{Database, ObjectId};
 use solver::SystemState;
 use text::Diagnostic;
@@ -156,26 +157,28 @@ impl Engine {
     }
 }
 
-/// Writes a model as a solver dataset; returns what of the model is not in it.
+/// Writes a model as a solver dataset; returns what of the model is not in it. The command of Adams
+/// writes ten digits; what is to be read again as it was takes all of them.
 pub(crate) fn write_data_set(
     database: &mut Database,
     model: ObjectId,
     path: &Path,
+    digits: Digits,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-    let written = dataset_of(database, model)?;
+    let written = dataset_of(database, model, digits)?;
     std::fs::write(path, written.text).map_err(|e| vec![cannot_write(path, &e)])?;
     Ok(written.warnings)
 }
 
 /// What of a model would not be in its solver dataset, which is not written.
 pub(crate) fn data_set(database: &mut Database, model: ObjectId) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-    Ok(dataset_of(database, model)?.warnings)
+    Ok(dataset_of(database, model, Digits::View)?.warnings)
 }
 
 /// A model as a solver dataset; parts without mass of their own get that of their geometry.
-fn dataset_of(database: &mut Database, model: ObjectId) -> Result<dataset::Written, Vec<Diagnostic>> {
+fn dataset_of(database: &mut Database, model: ObjectId, digits: Digits) -> Result<dataset::Written, Vec<Diagnostic>> {
     let mass = |database: &Database, part: ObjectId| geometric_mass(database, part);
-    let options = dataset::Options { mass: Some(&mass), ..dataset::Options::default() };
+    let options = dataset::Options { mass: Some(&mass), digits };
     dataset::write(database, model, options)
 }
 

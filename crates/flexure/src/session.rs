@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use commands::{BodyMass, DataSet, Host, Interpreter, OnError, SimulationRequest};
+use dataset::Digits;
 use elements::Finding;
 use model::{Database, ObjectId};
 use results::Polyline;
@@ -376,7 +377,7 @@ impl Session {
         }
         let model = self.model_or_error()?;
         match extension.as_str() {
-            "adm" => write_data_set(&mut self.interpreter.database, model, path),
+            "adm" => write_data_set(&mut self.interpreter.database, model, path, Digits::Exact),
             "cmd" => {
                 let text = self.interpreter.write_model(model);
                 std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])?;
@@ -418,8 +419,9 @@ impl Host for EngineHost {
     }
 
     fn write_data_set(&mut self, database: &mut Database, model: ObjectId, path: &Path) -> Result<(), Vec<Diagnostic>> {
+        let read_only = lock(&self.0).read_only;
         let warnings =
-            if lock(&self.0).read_only { data_set(database, model)? } else { write_data_set(database, model, path)? };
+            if read_only { data_set(database, model)? } else { write_data_set(database, model, path, Digits::View)? };
         let mut engine = lock(&self.0);
         warnings.iter().for_each(|w| engine.observer.message(&text::one_line(&Sources::default(), w)));
         Ok(())

@@ -98,6 +98,6 @@ fn a_run_goes_on_where_the_last_one_ended_until_the_model_changes() {
 
 #[test]
 fn files_that_are_not_read_yet_are_named_as_what_they_are() {
-    let report = Session::new().read(std::path::Path::new("model.adm"));
-    assert!(report.diagnostics[0].message.contains("a solver dataset"));
+    let report = Session::new().read(std::path::Path::new("model.acf"));
+    assert!(report.diagnostics[0].message.contains("a solver command file"));
 }

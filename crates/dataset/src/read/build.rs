@@ -269,7 +269,7 @@ impl<'a> Builder<'a> {
             return self.count(argument, list.len(), &wanted);
         }
         let d = field.dimension;
-        let angle = d.angle == 1 && d.length == 0 && d.force == 0 && d.mass == 0 && d.time == 0;
+        let angle = statements::is_angle(d);
         let in_degrees = angle && list.iter().any(|(n, _)| n.degrees);
         let number = |n: &Number| match (n.degrees, in_degrees) {
             (true, false) => n.value.to_radians(),

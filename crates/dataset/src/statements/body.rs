@@ -18,8 +18,8 @@ fn place(w: &Writer<'_>, id: ObjectId, position: &str, lines: &mut Lines) {
     if let Some(r) = w.database.numbers(id, "location").filter(|r| r.iter().any(|x| *x != 0.0)) {
         lines.list(position, &r.iter().map(|x| number(*x, digits)).collect::<Vec<_>>());
     }
-    if let Some(angles) = w.database.si_numbers(id, "orientation") {
-        let angles: Vec<_> = angles.iter().map(|a| turn(a.to_degrees(), digits)).collect();
+    if let Some(angles) = w.plain_numbers(id, "orientation") {
+        let angles: Vec<_> = angles.iter().map(|a| turn(*a, digits)).collect();
         if angles.iter().any(|a| a != "0D") {
             lines.list("REULER", &angles);
         }

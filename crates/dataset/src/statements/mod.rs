@@ -182,18 +182,18 @@ pub(crate) fn texts(database: &Database, id: ObjectId, field: &str) -> Vec<Strin
 
 /// Numbers of a cell as they are written; angles of the model become radians or, alone, degrees.
 fn numbers(w: &Writer<'_>, id: ObjectId, field: &schema::Field) -> Option<Vec<String>> {
-    let values = w.database.numbers(id, field.name)?;
-    let d = field.dimension;
-    let angle = w.database.units().angle.si;
-    let digits = w.options.digits;
+    let degrees = is_angle(field.dimension);
+    let values = w.plain_numbers(id, field.name)?;
     let written = values.into_iter().map(|x| {
-        if d.angle == 1 && d.length == 0 && d.force == 0 && d.mass == 0 {
-            format!("{}D", number((x * angle).to_degrees(), digits))
-        } else {
-            number(x * angle.powi(i32::from(d.angle)), digits)
-        }
+        let written = number(x, w.options.digits);
+        if degrees { written + "D" } else { written }
     });
     Some(written.collect())
+}
+
+/// Whether values of a dimension are angles and nothing else.
+pub(crate) fn is_angle(d: schema::Dimension) -> bool {
+    d.angle == 1 && d.length == 0 && d.force == 0 && d.mass == 0 && d.time == 0
 }
 
 /// `, VX = 5` from a field by its name, if it is set; the keyword is the field's.

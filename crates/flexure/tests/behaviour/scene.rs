@@ -163,10 +163,11 @@ impl Scene {
         std::fs::read_to_string(path).unwrap()
     }
 
-    /// The model as a solver dataset.
+    /// The model as a solver dataset, as the command writes it.
     pub fn data_set(&mut self) -> String {
         let path = self.folder.path().join("export.adm");
-        self.session.write(&path).unwrap();
+        let report = self.session.execute(&format!("file adams_data_set write file_name=\"{}\"", path.display()));
+        assert!(!report.has_errors(), "{:#?}", report.diagnostics);
         std::fs::read_to_string(path).unwrap()
     }
 
