@@ -9,6 +9,7 @@ mod state;
 mod sockets;
 
 mod gradient;
+mod load_gradient;
 mod matrix;
 mod relative;
 mod scalar;
@@ -24,11 +25,14 @@ mod spin;
 mod system;
 
 pub use gradient::{FrameCotangent, Gradient};
+pub use load_gradient::{LoadCotangent, load_gradient};
 pub use relative::{
     Relative, apply_between, apply_following, load_of_reaction, relative, tangent_between, tangent_following,
 };
 pub use scalar::{ScalarAction, apply_scalar, scalar_load, tangent_gradient, tangent_scalar};
-pub use sockets::{Concern, Constraint, ConstraintRows, Force, FrameLoad, Loads, Side, Tangent, skew};
+pub use sockets::{
+    Concern, Constraint, ConstraintRows, Force, FrameLoad, Inside, LoadOfState, Loads, Member, Side, Tangent, skew,
+};
 pub use spin::Spin;
 pub use state::{Axis, Body, BodyId, BodyMotion, Frame, FrameId, FrameMotion, GROUND, State};
 pub use system::{EquationRow, System};

@@ -5,10 +5,12 @@
 //! then body axes. Generalised loads match: force in ground axes, torque about the centre of mass
 //! in body axes. Implementations of the accumulators do the arithmetic; elements work with frames.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec3};
 use solver::Evaluation;
 
-use crate::{BodyId, FrameId, State};
+use crate::{BodyId, FrameId, Gradient, LoadCotangent, State};
 
 /// Force and torque at a frame's origin on the frame's body, ground axes.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -56,6 +58,40 @@ pub struct Concern {
     pub pieces: Option<u32>,
 }
 
+/// What goes through a member between its two markers: at a cut, the load that the piece on the side
+/// of I exerts on the piece on the side of J. In the axes of the member's section, x along it.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Inside {
+    /// Axial force (tension positive) and shear forces, N; the same at every cut.
+    pub force: DVec3,
+    /// Torque and bending moments where the member meets J, N m: the load on J.
+    pub moment_j: DVec3,
+    /// The same where it meets I: minus the load on I.
+    pub moment_i: DVec3,
+    /// The largest rotation that the member's law sees, rad.
+    pub angle: f64,
+}
+
+impl Inside {
+    /// Torque and bending moments at the point that lies a share `station` of the straight line from J
+    /// (0) to I (1) along.
+    pub fn moment(&self, station: f64) -> DVec3 {
+        self.moment_j * (1.0 - station) + self.moment_i * station
+    }
+}
+
+/// An element with sections between its markers.
+pub trait Member {
+    fn inside(&self, state: &State) -> Inside;
+}
+
+/// An element whose load depends on positions and velocities of its two markers and on nothing else,
+/// so that functions can ask for it.
+pub trait LoadOfState {
+    /// Adds the derivative of a number that depends on the load at a side.
+    fn add_load_gradient(&self, state: &State, side: Side, of: &LoadCotangent, gradient: &mut Gradient);
+}
+
 /// An element that applies loads.
 pub trait Force: Send + Sync {
     /// Full name in the model.
@@ -74,9 +110,68 @@ pub trait Force: Send + Sync {
     fn energy(&self, _state: &State) -> f64 {
         0.0
     }
+    /// Power that damping takes, W; zero for elements without damping.
+    fn dissipation(&self, _state: &State) -> f64 {
+        0.0
+    }
+    /// What goes through the element, if it has sections.
+    fn member(&self) -> Option<&dyn Member> {
+        None
+    }
+    /// The load with its derivative, if it follows from the motion of the two markers alone.
+    fn load_of_state(&self) -> Option<&dyn LoadOfState> {
+        None
+    }
     /// A trouble with the present state (angles beyond validity, ...); asked at each output.
     fn concern(&self, _state: &State) -> Option<Concern> {
         None
+    }
+}
+
+/// A force that others read while it acts.
+impl Force for Arc<dyn Force> {
+    fn name(&self) -> &str {
+        self.as_ref().name()
+    }
+
+    fn bodies(&self) -> Vec<BodyId> {
+        self.as_ref().bodies()
+    }
+
+    fn add_loads(&self, state: &State, loads: &mut dyn Loads) -> Result<(), Evaluation> {
+        self.as_ref().add_loads(state, loads)
+    }
+
+    fn add_tangent(&self, state: &State, tangent: &mut dyn Tangent) -> Result<(), Evaluation> {
+        self.as_ref().add_tangent(state, tangent)
+    }
+
+    fn load_at(&self, state: &State, side: Side) -> FrameLoad {
+        self.as_ref().load_at(state, side)
+    }
+
+    fn frame(&self, side: Side) -> Option<FrameId> {
+        self.as_ref().frame(side)
+    }
+
+    fn energy(&self, state: &State) -> f64 {
+        self.as_ref().energy(state)
+    }
+
+    fn dissipation(&self, state: &State) -> f64 {
+        self.as_ref().dissipation(state)
+    }
+
+    fn member(&self) -> Option<&dyn Member> {
+        self.as_ref().member()
+    }
+
+    fn load_of_state(&self) -> Option<&dyn LoadOfState> {
+        self.as_ref().load_of_state()
+    }
+
+    fn concern(&self, state: &State) -> Option<Concern> {
+        self.as_ref().concern(state)
     }
 }
 

@@ -279,6 +279,11 @@ impl System {
         self.forces.iter().map(|force| force.energy(&self.state)).sum()
     }
 
+    /// Power that damping takes in the state last computed, W.
+    pub fn dissipation(&self) -> f64 {
+        self.forces.iter().map(|force| force.dissipation(&self.state)).sum()
+    }
+
     /// Linear momentum, and angular momentum about the ground origin, ground axes.
     pub fn momentum(&self) -> (DVec3, DVec3) {
         let mut sum = (DVec3::ZERO, DVec3::ZERO);
