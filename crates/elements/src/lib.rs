@@ -22,7 +22,7 @@ pub mod system;
 mod testing;
 pub mod verify;
 
-pub use lower::{LoadId, Lowered, Options, lower};
+pub use lower::{LoadId, Lowered, Options, active_objects, lower};
 pub use output::Outputs;
 pub use registry::registry;
 pub use verify::{Finding, verify, verify_report};

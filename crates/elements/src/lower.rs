@@ -10,10 +10,12 @@ use schema::{Dimension, UnitSystem};
 use text::Diagnostic;
 
 use crate::{
+    forces::beam::Angles,
     output::{
         Outputs, everything,
         outputs::{Column, ends_of},
     },
+    runtime::{self, loads::Wanted},
     shelf::{self, Stage},
 };
 
@@ -22,8 +24,10 @@ use crate::{
 pub struct Options {
     /// Record every part, joint, motion and force beside requests and measures.
     pub record_all: bool,
-    /// Measure relative rotations of linear beams as a rotation vector instead of projected angles.
-    pub rotation_vector: bool,
+    /// Record what goes through every beam, its energy and power, beside requests and measures.
+    pub record_beams: bool,
+    /// How LINEAR and STRING beams measure the rotation of I from J.
+    pub beam_angles: Angles,
     /// Let NONLINEAR beams shear by their shear ratios; without, they do not (Euler and Bernoulli).
     pub nonlinear_shear: bool,
 }
@@ -79,6 +83,8 @@ pub struct Lowering<'a> {
     pub(crate) constraints: Vec<Box<dyn Constraint>>,
     pub(crate) loads: BTreeMap<ObjectId, LoadId>,
     pub(crate) columns: Vec<Column>,
+    /// Functions that act and ask for the load of an element.
+    pub(crate) wanted: Vec<Wanted>,
 }
 
 impl<'a> Lowering<'a> {
@@ -99,6 +105,7 @@ impl<'a> Lowering<'a> {
             constraints: Vec::new(),
             loads: BTreeMap::new(),
             columns: Vec::new(),
+            wanted: Vec::new(),
         }
     }
 
@@ -274,6 +281,7 @@ impl<'a> Lowering<'a> {
     }
 
     fn finish(mut self) -> Result<Lowered, Vec<Diagnostic>> {
+        runtime::loads::connect(&mut self);
         everything::complete(&mut self);
         let ends = ends_of(&self.forces, &self.constraints);
         let outputs = Outputs::new(self.columns, &self.loads, &ends);

@@ -72,8 +72,29 @@ const SPRING: &str = "-5*(DM(.m.second.i,.m.first.j)-380) - 0.3*VR(.m.second.i,.
 const TWIST: &str = "-2E4*AZ(.m.second.i,.m.first.j) - 300*WZ(.m.second.i,.m.first.j,.m.first.j)";
 const MIXED: &str = "STEP(TIME,0,0,1,4)*DX(.m.second.i,.m.first.j,.m.second.cm)+VY(.m.second.i,.m.first.j,.m.first.cm)";
 
+/// A force that asks for loads of a beam which is created after it: sizes and components, at both
+/// ends, in the axes of either part, of force and torque. Factors make all terms count.
+fn reading(formulation: &str) -> Build {
+    let mut b = single("translational", false, "0");
+    let markers = [".m.second.i", ".m.first.j"].map(|name| b.database.find(name, "marker").unwrap());
+    let beam = b.beam("bar", markers[0], markers[1], 400.0);
+    b.word(beam, "formulation", formulation);
+    b.set(beam, "damping_ratio", 0.1);
+    let force = b.database.find(".m.force", "single_component_force").unwrap();
+    b.function(
+        force,
+        "function",
+        "BEAM(.m.bar,0,2,.m.second.cm) + 2*BEAM(.m.bar,1,1) - BEAM(.m.bar,1,3,.m.first.j) \
+         + 0.01*BEAM(.m.bar,0,5) - 0.02*BEAM(.m.bar,1,7,.m.second.i) + 0.03*BEAM(.m.bar,0,8,.m.first.cm)",
+    );
+    b
+}
+
 fn all() -> Vec<(&'static str, Build)> {
     vec![
+        ("force of a linear beam's load", reading("linear")),
+        ("force of a string beam's load", reading("string")),
+        ("force of a nonlinear beam's load", reading("nonlinear")),
         ("linear beam", beam("linear")),
         ("string beam", beam("string")),
         ("nonlinear beam", beam("nonlinear")),

@@ -84,6 +84,65 @@ fn requests_are_in_model_units_and_count_turns() {
     }
 }
 
+/// Truth: a bar 1 mm too long, at 500 mm, bent by nothing else and drawn out at 20 mm/s: tension EA/L times
+/// 1 mm and damping of 1E-3 s; energy EA/L (1 mm)^2 / 2, power 1E-3 s EA/L (20 mm/s)^2. Rounding.
+#[test]
+fn what_goes_through_a_beam_is_recorded_with_its_units() {
+    let mut b = Build::new(UnitSystem::mmks());
+    let j = b.marker(b.ground, "j", [0.0; 3]);
+    let part = b.part("tip", [501.0, 0.0, 0.0], 2.0, 100.0);
+    let i = b.marker(part, "i", [0.0; 3]);
+    b.beam("bar", i, j, 500.0);
+    let mut l = lowered(&b, Options { record_beams: true, ..Options::default() });
+    let (q, mut v) = l.system.initial_state();
+    v[0] = 0.02;
+    let row = row(&mut l, 0.0, &q, &v);
+    let stiffness = 2.07e5 * 78.5 / 500.0;
+    let expected = [
+        ("time", "second", 0.0),
+        ("bar.N", "newton", stiffness * (1.0 + 1e-3 * 20.0)),
+        ("bar.VY", "newton", 0.0),
+        ("bar.VZ", "newton", 0.0),
+        ("bar.T_J", "newton-mm", 0.0),
+        ("bar.MY_J", "newton-mm", 0.0),
+        ("bar.MZ_J", "newton-mm", 0.0),
+        ("bar.T_I", "newton-mm", 0.0),
+        ("bar.MY_I", "newton-mm", 0.0),
+        ("bar.MZ_I", "newton-mm", 0.0),
+        ("bar.ANGLE", "degrees", 0.0),
+        ("bar.ENERGY", "newton-mm", 0.5 * stiffness),
+        ("bar.POWER", "newton-mm/second", 1e-3 * stiffness * 400.0),
+        ("bar.RESIDUAL", "", 0.0),
+    ];
+    let found: Vec<_> = names(&l);
+    for ((name, unit, value), (found, actual)) in expected.iter().zip(found.iter().zip(&row)) {
+        assert_eq!((found.0.as_str(), found.1.as_str()), (*name, *unit));
+        assert!((actual - value).abs() <= 1e-9 * stiffness, "{name}: {actual} is not {value}");
+    }
+    assert_eq!(found.len(), expected.len());
+}
+
+/// Loads of a bent, twisted, moving beam balance to rounding, and with everything recorded the loads on I
+/// stand before what goes through.
+#[test]
+fn the_residual_of_a_beam_is_rounding() {
+    let mut b = Build::new(UnitSystem::mmks());
+    let first = b.part("first", [3000.0, -2000.0, 500.0], 2.0, 100.0);
+    let j = b.marker(first, "j", [50.0, 10.0, -20.0]);
+    let second = b.part("second", [3400.0, -1980.0, 490.0], 3.0, 200.0);
+    let i = b.marker(second, "i", [30.0, -25.0, 15.0]);
+    b.numbers(i, "orientation", &[5.0, 25.0, 12.0]);
+    b.beam("bar", i, j, 400.0);
+    let mut l = lowered(&b, Options { record_all: true, ..Options::default() });
+    let (q, _) = l.system.initial_state();
+    let v: Vec<f64> = (0..12).map(|k| 0.1 * f64::from(k)).collect();
+    let row = row(&mut l, 0.0, &q, &v);
+    let value = |name: &str| row[column(&l, name)];
+    assert!(value("bar.FX").abs() > 1.0 && value("bar.MZ_J").abs() > 1.0);
+    assert!(value("bar.RESIDUAL") < 1e-13, "{}", value("bar.RESIDUAL"));
+    assert_eq!(column(&l, "bar.N"), column(&l, "bar.TZ") + 1);
+}
+
 /// Truth: a bar of EA/L = 2.07e5 * 78.5 / 500 N/mm, 1 mm long too much, pulls I towards J: BEAM is
 /// negative, and so is the load of the force request; on J it is positive.
 #[test]

@@ -2,10 +2,10 @@
 //! on I, and this file does the rest.
 
 use equations::{
-    BodyId, Concern, Force, FrameId, FrameLoad, Loads, Relative, Side, State, Tangent, apply_between, load_of_reaction,
-    relative, tangent_between,
+    BodyId, Concern, Force, FrameId, FrameLoad, Gradient, Inside, LoadCotangent, LoadOfState, Loads, Member, Relative,
+    Side, State, Tangent, apply_between, load_gradient, load_of_reaction, relative, tangent_between,
 };
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use model::ObjectId;
 use schema::Default;
 use solver::Evaluation;
@@ -33,6 +33,25 @@ pub trait Law: Send + Sync {
     }
     /// Elastic energy and that of the preload, J.
     fn energy(&self, motion: &Relative) -> f64;
+    /// Power that the part of the load which vanishes at rest takes, W.
+    fn dissipation(&self, motion: &Relative) -> f64 {
+        let still = Relative { v_ji_j: DVec3::ZERO, w_ji_j: DVec3::ZERO, ..*motion };
+        let (moving, still) = (self.load(motion), self.load(&still));
+        let rates = [motion.v_ji_j.to_array(), motion.w_ji_j.to_array()].concat();
+        (0..6).map(|k| (still[k] - moving[k]) * rates[k]).sum()
+    }
+    /// Whether there are sections between the markers, so that one can ask what goes through them.
+    fn has_sections(&self) -> bool {
+        false
+    }
+    /// Axes of the sections, x along the member, in J.
+    fn section_axes(&self, _motion: &Relative) -> DMat3 {
+        DMat3::IDENTITY
+    }
+    /// The largest rotation that the law sees, rad.
+    fn largest_angle(&self, _motion: &Relative) -> f64 {
+        0.0
+    }
     /// Why there is no load in this state.
     fn trouble(&self, _motion: &Relative) -> Option<&'static str> {
         None
@@ -111,8 +130,50 @@ impl<L: Law> Force for Elastic<L> {
         self.law.energy(&relative(state, self.i, self.j))
     }
 
+    fn dissipation(&self, state: &State) -> f64 {
+        self.law.dissipation(&relative(state, self.i, self.j))
+    }
+
+    fn member(&self) -> Option<&dyn Member> {
+        self.law.has_sections().then_some(self)
+    }
+
+    fn load_of_state(&self) -> Option<&dyn LoadOfState> {
+        Some(self)
+    }
+
     fn concern(&self, state: &State) -> Option<Concern> {
         self.law.concern(&relative(state, self.i, self.j))
+    }
+}
+
+impl<L: Law> Member for Elastic<L> {
+    fn inside(&self, state: &State) -> Inside {
+        inside(&self.law, &relative(state, self.i, self.j))
+    }
+}
+
+impl<L: Law> LoadOfState for Elastic<L> {
+    fn add_load_gradient(&self, state: &State, side: Side, of: &LoadCotangent, gradient: &mut Gradient) {
+        let Response { load, by_position, by_velocity } = self.law.response(&relative(state, self.i, self.j));
+        load_gradient(state, (self.i, self.j), side, &load, &by_position, &by_velocity, of, gradient);
+    }
+}
+
+/// What goes through a member: the loads on its ends, turned into the axes of its section.
+///
+/// The piece between a cut and I is in balance: it gets `-F`, `-T` from I, and at the cut the opposite
+/// of what it does to the rest. So the rest gets `-F`, and about a point at `r` the moment
+/// `-T - (d - r) x F`. Points are taken on the straight line from J to I.
+pub fn inside<L: Law>(law: &L, motion: &Relative) -> Inside {
+    let to_section = law.section_axes(motion).transpose();
+    let [fx, fy, fz, tx, ty, tz] = law.load(motion);
+    let (force, torque) = (DVec3::new(fx, fy, fz), DVec3::new(tx, ty, tz));
+    Inside {
+        force: to_section * -force,
+        moment_j: to_section * (-torque - motion.d_ji_j.cross(force)),
+        moment_i: to_section * -torque,
+        angle: law.largest_angle(motion),
     }
 }
 

@@ -3,14 +3,16 @@
 use text::Diagnostic;
 
 use super::{
+    member,
     outputs::{Column, Quantity, Unit},
     vector,
 };
-use crate::lower::Lowering;
+use crate::lower::{LoadId, Lowering};
 
-/// Puts time first; adds every part and load where that is asked for or nothing else is recorded.
+/// Puts time first; adds every part and load where that is asked for or nothing else is recorded, and
+/// what goes through members where they are recorded or that alone is asked for.
 pub(crate) fn complete(lowering: &mut Lowering<'_>) {
-    let nothing_asked = lowering.columns.is_empty();
+    let nothing_asked = lowering.columns.is_empty() && !lowering.options.record_beams;
     if nothing_asked && !lowering.options.record_all {
         let model = lowering.name(lowering.model);
         lowering.report(
@@ -22,15 +24,22 @@ pub(crate) fn complete(lowering: &mut Lowering<'_>) {
             .help("create a request or a measure to record less"),
         );
     }
-    if nothing_asked || lowering.options.record_all {
+    let everything = nothing_asked || lowering.options.record_all;
+    if everything {
         for (part, body) in lowering.body_list() {
             let set = format!("{}_XFORM", lowering.database.object(part).name);
             let frame = lowering.origin_frame(part, body);
             vector::add_motion(lowering, &set, frame);
         }
-        for element in lowering.loads.keys().copied().collect::<Vec<_>>() {
+    }
+    for (element, load) in lowering.loads.clone() {
+        if everything {
             let set = lowering.database.object(element).name.clone();
             vector::add_load(lowering, &set, element);
+        }
+        let LoadId::Force(force) = load else { continue };
+        if (everything || lowering.options.record_beams) && lowering.forces[force].member().is_some() {
+            member::add(lowering, element, force);
         }
     }
     let time = Column::new("time".into(), Quantity::Time, &Unit(lowering.units(), schema::Dimension::TIME));

@@ -14,6 +14,7 @@ pub mod measure_pt2pt;
 pub mod measure_query;
 pub mod measure_range;
 pub(crate) mod measured;
+pub mod member;
 pub(crate) mod not_recorded;
 pub mod numerical_integration_parameters;
 pub mod output_settings;

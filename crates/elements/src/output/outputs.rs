@@ -1,5 +1,6 @@
 //! What a run records: named columns in model units, each a quantity of the equations.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, HashSet};
 
 use equations::{FrameId, FrameLoad, Gradient, Side, State, System};
@@ -7,9 +8,10 @@ use functions::{Component, Measure};
 use glam::{DQuat, DVec3};
 use solver::Dae;
 
+use super::member;
 use crate::{
     lower::LoadId,
-    runtime::{self, Compiled, measure},
+    runtime::{self, Compiled, loads::component_of, measure},
 };
 
 /// One column.
@@ -40,6 +42,11 @@ pub enum Quantity {
     Polar {
         of: [Measure; 3],
         component: Polar,
+    },
+    /// One of the columns of a member, a force of the system.
+    Member {
+        force: usize,
+        which: usize,
     },
     /// Energy of a body: translation, rotation, or both.
     KineticEnergy {
@@ -144,7 +151,14 @@ impl Outputs {
         let accelerations = (a.len() == system.velocities()).then_some(a);
         system.state(t, q, v, accelerations);
         let system = &*system;
-        let instant = Instant { system, state: system.last_state(), lambda, loads: &self.loads, at: &self.at_markers };
+        let instant = Instant {
+            system,
+            state: system.last_state(),
+            lambda,
+            loads: &self.loads,
+            at: &self.at_markers,
+            member: Cell::new(None),
+        };
         for ((value, column), branches) in row.iter_mut().zip(&self.columns).zip(&mut self.branches) {
             *value = instant.value(&column.quantity, branches) * column.factor;
         }
@@ -178,7 +192,7 @@ fn measures_of(quantity: &Quantity) -> Vec<Measure> {
         Quantity::Measure(measure) => vec![*measure],
         Quantity::Function(compiled) => compiled.function.measures().to_vec(),
         Quantity::Polar { of, .. } => of.to_vec(),
-        Quantity::Time | Quantity::Turn { .. } | Quantity::KineticEnergy { .. } => Vec::new(),
+        Quantity::Time | Quantity::Turn { .. } | Quantity::Member { .. } | Quantity::KineticEnergy { .. } => Vec::new(),
     }
 }
 
@@ -189,6 +203,8 @@ struct Instant<'a> {
     lambda: &'a [f64],
     loads: &'a BTreeMap<u32, LoadId>,
     at: &'a AtMarkers,
+    /// The member looked at last: its columns follow one another and are computed at once.
+    member: Cell<Option<(usize, member::Values)>>,
 }
 
 impl Instant<'_> {
@@ -214,6 +230,14 @@ impl Instant<'_> {
                     Polar::Azimuth => vector.y.atan2(vector.x),
                     Polar::Inclination => radius.atan2(vector.z),
                 }
+            }
+            Quantity::Member { force, which } => {
+                let values = match self.member.get() {
+                    Some((known, values)) if known == *force => values,
+                    _ => member::values(self.system.force_list()[*force].as_ref(), self.state),
+                };
+                self.member.set(Some((*force, values)));
+                values[*which]
             }
             Quantity::KineticEnergy { body, translation, rotation } => {
                 let (data, motion) = (&self.system.bodies()[*body], &self.state.bodies[*body]);
@@ -242,7 +266,7 @@ impl Instant<'_> {
             Measure::Load { element, j_flag, component, rm } => {
                 let side = if j_flag { Side::J } else { Side::I };
                 let load = self.loads.get(&element).map(|&load| self.load(load, side)).unwrap_or_default();
-                self.component_of(load, component, rm)
+                component_of(self.state, load, component, rm)
             }
             Measure::MarkerLoad { torque, component, i, j, k } => {
                 let mut sum = FrameLoad::default();
@@ -256,7 +280,7 @@ impl Instant<'_> {
                     Component::Y => 3,
                     Component::Z => 4,
                 };
-                self.component_of(sum, offset + if torque { 4 } else { 0 }, k)
+                component_of(self.state, sum, offset + if torque { 4 } else { 0 }, k)
             }
             _ if measure::turns_over(measure) => self.angle(measure, branch),
             _ => measure::value(measure, self.state, 0.0, None),
@@ -287,18 +311,6 @@ impl Instant<'_> {
             LoadId::Force(index) => self.system.force_list()[index].load_at(self.state, side),
             LoadId::Constraint(_) if self.lambda.len() != Dae::constraints(self.system) => FrameLoad::default(),
             LoadId::Constraint(index) => self.system.reaction(index, self.lambda, side),
-        }
-    }
-
-    /// Components as load functions number them: 1 size of the force, 2 to 4 its components, 5 size
-    /// of the torque, 6 to 8 its components.
-    fn component_of(&self, load: FrameLoad, component: u8, rm: Option<u32>) -> f64 {
-        let to_axes = self.state.frame_or_global(rm.map(FrameId)).rot_gi.transpose();
-        let vector = if component <= 4 { load.f_g } else { load.t_g };
-        match component {
-            1 | 5 => vector.length(),
-            2..=4 => (to_axes * vector)[usize::from(component) - 2],
-            _ => (to_axes * vector)[usize::from(component.clamp(6, 8)) - 6],
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-use equations::{BodyId, FrameId, GROUND, Gradient, State, constraints::TimeFunction};
+use equations::{BodyId, GROUND, Gradient, State, constraints::TimeFunction};
 use functions::{Function, Resolver};
 use model::{Database, FunctionText, ObjectId, Value};
 use schema::Dimension;
@@ -12,7 +12,10 @@ use text::Diagnostic;
 
 use crate::lower::Lowering;
 
+pub mod loads;
 pub mod measure;
+
+use loads::LoadSlot;
 
 /// A compiled function with the factors that turn its measures from SI into model units.
 #[derive(Clone, Debug)]
@@ -66,6 +69,15 @@ pub fn compile(lowering: &mut Lowering<'_>, owner: ObjectId, text: &str) -> Opti
     Some(Compiled { function, factors, time: 1.0 / lowering.factor(Dimension::TIME) })
 }
 
+/// Classes whose loads a function asks for, where that is not just any constraint.
+const CLASSES: &[(&str, &[&str])] = &[
+    ("BEAM", &["beam"]),
+    ("BUSH", &["bushing"]),
+    ("FIELD", &["field"]),
+    ("SPDP", &["translational_spring_damper", "rotational_spring_damper"]),
+    ("SFORCE", &["single_component_force", "translational_spring_damper", "rotational_spring_damper"]),
+];
+
 /// Finds the objects that a function names.
 struct Names<'a, 'b> {
     lowering: &'a mut Lowering<'b>,
@@ -98,7 +110,15 @@ impl Resolver for Names<'_, '_> {
 
     fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
         let found = self.find(name, "force").or_else(|| self.find(name, "constraint"));
-        found.map(|id| id.0).ok_or_else(|| format!("there is no element `{name}` for {function}"))
+        let Some(id) = found else { return Err(format!("there is no element `{name}` for {function}")) };
+        let class = self.lowering.database.object(id).class;
+        match CLASSES.iter().find(|(asked, _)| asked.eq_ignore_ascii_case(function)) {
+            Some((_, classes)) if !classes.contains(&class.id) => {
+                let word = crate::lower::word_of(self.lowering.database, id);
+                Err(format!("`{name}` is a {word}, which {function} does not ask for"))
+            }
+            _ => Ok(id.0),
+        }
     }
 
     fn number(&mut self, name: &str) -> Result<f64, String> {
@@ -136,23 +156,49 @@ pub struct StateFunction {
     unit: f64,
     /// Last value of each measure, SI, as bits.
     branches: Vec<AtomicU64>,
+    /// For each measure the element whose load it is, if it is one.
+    loads: Vec<Option<LoadSlot>>,
+    /// Bodies the value depends on, without ground.
+    bodies: Vec<BodyId>,
 }
 
 impl StateFunction {
-    pub fn new(compiled: Compiled, unit: f64) -> Self {
+    /// The function of an object, with the elements whose loads it asks for; these need not be
+    /// lowered yet. Reports what depends on more than time, positions and velocities.
+    pub fn new(lowering: &mut Lowering<'_>, owner: ObjectId, compiled: Compiled, unit: f64) -> Option<Self> {
+        let (mut loads, mut frames, mut usable) = (Vec::new(), Vec::new(), true);
+        for measure in compiled.function.measures() {
+            frames.extend(measure::frames(measure));
+            let slot = match measure {
+                functions::Measure::Load { element, .. } => {
+                    let (slot, ends) = loads::slot(lowering, owner, ObjectId(*element));
+                    frames.extend(ends);
+                    Some(slot)
+                }
+                _ => None,
+            };
+            usable &= slot.is_some() || measure::of_state(measure);
+            loads.push(slot);
+        }
+        if !usable {
+            let name = lowering.name(owner);
+            lowering.report(
+                Diagnostic::error(
+                    "function/not-of-state",
+                    format!("the function of `{name}` uses an acceleration, or all loads at a marker"),
+                )
+                .help("such functions can be recorded by a request, but not act as a force yet; name the elements whose loads are meant, as in BEAM(id, 0, 2)"),
+            );
+            return None;
+        }
+        let bodies = frames.into_iter().map(|frame| lowering.body_of_frame(frame)).filter(|b| *b != GROUND).collect();
         let branches = compiled.factors.iter().map(|_| AtomicU64::new(0f64.to_bits())).collect();
-        StateFunction { compiled, unit, branches }
-    }
-
-    /// Measures that cannot be used in a force: they follow from the solution, not from the state.
-    pub fn unusable(compiled: &Compiled) -> bool {
-        compiled.function.measures().iter().any(|m| !measure::of_state(m))
+        Some(StateFunction { compiled, unit, branches, loads, bodies })
     }
 
     /// Bodies the value depends on, without ground.
-    pub fn bodies(compiled: &Compiled, body_of: impl Fn(FrameId) -> BodyId) -> Vec<BodyId> {
-        let frames = compiled.function.measures().iter().flat_map(measure::frames);
-        frames.map(body_of).filter(|body| *body != GROUND).collect()
+    pub fn bodies(&self) -> &[BodyId] {
+        &self.bodies
     }
 
     /// The value in SI.
@@ -191,6 +237,9 @@ impl StateFunction {
         state: &State,
         gradient: Option<&mut Gradient>,
     ) -> f64 {
+        if let Some(slot) = &self.loads[index] {
+            return slot.value(measure, state, gradient);
+        }
         let reference = f64::from_bits(self.branches[index].load(Relaxed));
         let value = measure::value(measure, state, reference, gradient);
         if measure::turns_over(measure) {

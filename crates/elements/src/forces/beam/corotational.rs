@@ -6,7 +6,7 @@
 //! the load on I alone says everything: the reaction on J is that of any load between two markers.
 
 use equations::Relative;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::{
     dual::{Dual, Scalar},
@@ -103,6 +103,12 @@ impl Corotational {
         let columns = [motion.rot_ji.x_axis, motion.rot_ji.y_axis, motion.rot_ji.z_axis].map(|c| c.to_array());
         let chord = chord(motion.d_ji_j.to_array(), &columns);
         chord.theta.iter().flatten().fold(0.0, |largest: f64, angle| largest.max(angle.abs()))
+    }
+
+    /// Axes of the chord frame in J (B.10).
+    pub fn chord_axes(&self, motion: &Relative) -> DMat3 {
+        let columns = [motion.rot_ji.x_axis, motion.rot_ji.y_axis, motion.rot_ji.z_axis].map(|c| c.to_array());
+        DMat3::from_cols_array_2d(&chord(motion.d_ji_j.to_array(), &columns).e)
     }
 
     /// Power that the damping takes, W; not negative.

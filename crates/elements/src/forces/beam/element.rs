@@ -1,6 +1,7 @@
 //! The beam among the forces between two markers: when it has a load, and when to doubt it.
 
 use equations::{Concern, Relative};
+use glam::DMat3;
 
 use super::physics::{Formulation, Law, Vec6};
 use crate::forces::elastic::{self, Elastic, Response};
@@ -29,6 +30,26 @@ impl elastic::Law for Law {
         Law::energy(self, motion)
     }
 
+    fn dissipation(&self, motion: &Relative) -> f64 {
+        Law::dissipation(self, motion)
+    }
+
+    fn has_sections(&self) -> bool {
+        true
+    }
+
+    /// Axes of J; of the chord frame for NONLINEAR.
+    fn section_axes(&self, motion: &Relative) -> DMat3 {
+        match &self.formulation {
+            Formulation::Nonlinear(law) => law.chord_axes(motion),
+            Formulation::Linear | Formulation::String => DMat3::IDENTITY,
+        }
+    }
+
+    fn largest_angle(&self, motion: &Relative) -> f64 {
+        Law::largest_angle(self, motion)
+    }
+
     fn trouble(&self, motion: &Relative) -> Option<&'static str> {
         let along_chord = !matches!(self.formulation, Formulation::Linear);
         (along_chord && motion.d_ji_j.length() <= SHORTEST * self.length)
@@ -48,3 +69,7 @@ impl elastic::Law for Law {
         (angle > limit).then_some(Concern { sentence, size: angle.to_degrees(), unit: "degrees", pieces })
     }
 }
+
+#[cfg(test)]
+#[path = "tests/inside.rs"]
+mod tests;

@@ -18,7 +18,7 @@ pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
     let troubles = law.as_ref().err().into_iter().flatten().cloned();
     lowering.diagnostics.extend(troubles);
     let (Some(i), Some(j), Ok(law)) = (i, j, law) else { return };
-    let angles = if lowering.options.rotation_vector { Angles::RotationVector } else { Angles::Projected };
+    let angles = lowering.options.beam_angles;
     let bodies = [lowering.body_of_frame(i), lowering.body_of_frame(j)];
     let force = Beam { name: lowering.name(beam), i, j, bodies, law: Law { angles, ..law } };
     lowering.add_force(beam, Box::new(force));

@@ -25,17 +25,6 @@ pub fn lower(lowering: &mut Lowering<'_>, force: ObjectId) {
     }
     let compiled = runtime::compile(lowering, force, &text);
     let (Some(i), Some(j), Some(compiled)) = (i, j, compiled) else { return };
-    if StateFunction::unusable(&compiled) {
-        lowering.report(
-            Diagnostic::error(
-                "function/not-of-state",
-                format!("the function of force `{name}` uses an acceleration or the load of another element"),
-            )
-            .note(format!("the function is `{text}`"))
-            .help("such functions can be recorded by a request, but not act as a force yet"),
-        );
-        return;
-    }
     let rotational = database.text(force, "type_of_freedom").is_some_and(|w| w.eq_ignore_ascii_case("rotational"));
     let reaction = database.flag(force, "action_only") != Some(true);
     let (action, dimension) = match (rotational, reaction) {
@@ -43,9 +32,10 @@ pub fn lower(lowering: &mut Lowering<'_>, force: ObjectId) {
         (false, true) => (ScalarAction::Line, Dimension::FORCE),
         (false, false) => (ScalarAction::Force(Axis::Z), Dimension::FORCE),
     };
+    let unit = lowering.factor(dimension);
+    let Some(function) = StateFunction::new(lowering, force, compiled, unit) else { return };
     let mut bodies = vec![lowering.body_of_frame(i), lowering.body_of_frame(j)];
-    bodies.extend(StateFunction::bodies(&compiled, |frame| lowering.body_of_frame(frame)));
-    let function = StateFunction::new(compiled, lowering.factor(dimension));
+    bodies.extend(function.bodies());
     let bodies = crate::lower::distinct_bodies(&bodies);
     lowering.add_force(force, Box::new(FunctionForce { name, i, j, bodies, action, reaction, function }));
 }
