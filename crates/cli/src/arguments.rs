@@ -23,6 +23,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Linear modes about the initial or the equilibrium state.
     Modes(Modes),
+    /// What goes through every beam: forces and moments along it, energy, power; with diagrams.
+    Beams(BeamLoads),
     /// Read and bind command files without simulating.
     Check(Check),
     /// Degrees of freedom, redundant constraints, and the traps of beams.
@@ -71,6 +73,17 @@ pub struct Beams {
     pub nonlinear_shear: bool,
 }
 
+/// What runs record beside requests and measures.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Recording {
+    /// Record everything: parts, joints, motions and forces too.
+    #[arg(long)]
+    pub all: bool,
+    /// Record what goes through every beam, its energy and the power it takes.
+    #[arg(long)]
+    pub beam_loads: bool,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum OnError {
     /// Stop the file at the first error.
@@ -100,9 +113,8 @@ pub struct Run {
     /// Write a journal in the layout of aview.log.
     #[arg(long, value_name = "FILE")]
     pub journal: Option<PathBuf>,
-    /// Record everything: parts, joints, motions and forces too.
-    #[arg(long)]
-    pub all: bool,
+    #[command(flatten)]
+    pub record: Recording,
 }
 
 #[derive(Debug, Args)]
@@ -140,9 +152,41 @@ pub struct Simulate {
     /// Results: FILE.csv, FILE.parquet or a folder.
     #[arg(long, value_name = "PATH")]
     pub out: PathBuf,
-    /// Record everything: parts, joints, motions and forces too.
-    #[arg(long)]
-    pub all: bool,
+    #[command(flatten)]
+    pub record: Recording,
+}
+
+/// Forces and moments act on the face that looks to I, along the axes of J (of the chord, for NONLINEAR
+/// beams): tension is positive, dMy/dx = Vz, dMz/dx = -Vy.
+#[derive(Debug, Args)]
+pub struct BeamLoads {
+    /// Model (.cmd, .fx).
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub edits: Edits,
+    #[command(flatten)]
+    pub beams: Beams,
+    /// In the static equilibrium; with --at, from there on.
+    #[arg(long = "static", conflicts_with = "result")]
+    pub statics: bool,
+    /// After a dynamic simulation to this time, seconds; of --result, at its output nearest to it.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub at: Option<f64>,
+    /// As a run of this model recorded it (.csv, .parquet); without --at, at the end.
+    #[arg(long, value_name = "FILE")]
+    pub result: Option<PathBuf>,
+    /// Form of the report.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
+    /// Print at most N beams; the total is that of all.
+    #[arg(long, value_name = "N", default_value_t = 40)]
+    pub most: usize,
+    /// Draw N, V, T and M along the beams that follow one another: FILE.svg or FILE.png.
+    #[arg(long, value_name = "FILE")]
+    pub draw: Option<PathBuf>,
+    /// Width and height of the drawing in pixels, as 1000x900.
+    #[arg(long, default_value = "1000x900")]
+    pub size: String,
 }
 
 #[derive(Debug, Args)]
@@ -370,7 +414,6 @@ pub struct Shell {
     /// Folder for results.
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
-    /// Record everything: parts, joints, motions and forces too.
-    #[arg(long)]
-    pub all: bool,
+    #[command(flatten)]
+    pub record: Recording,
 }

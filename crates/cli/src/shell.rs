@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use flexure::{Control, Progress, Run, RunHeader, RunObserver, Session};
 
 use crate::arguments::{Edits, Shell};
-use crate::commands::{complain, open, print, session};
+use crate::commands::{complain, open, print, session, set_recording};
 use crate::output::{Target, extension};
 use crate::progress::{Log, Watcher};
 use crate::shell_line::{Asked, Lines, Piped, Typed};
@@ -26,7 +26,7 @@ pub(crate) fn execute(shell: &Shell) -> Outcome {
     if !begin(&mut session, shell) {
         return Outcome::Findings;
     }
-    session.record_everything(shell.all);
+    set_recording(&mut session, shell.record);
     let (watcher, log) = Watcher::new(Target::Folder(shell.out.clone()));
     session.set_observer(Box::new(Window(watcher)));
     let session = Arc::new(Mutex::new(session));

@@ -9,6 +9,7 @@ use model::{Database, ObjectId};
 use solver::SystemState;
 use text::Diagnostic;
 
+use crate::beams::BeamsAt;
 use crate::modes::{self, ModesAbout, ModesReport};
 use crate::run::{Run, RunObserver, Silent};
 use crate::session::cannot_write;
@@ -16,6 +17,7 @@ use crate::settings::{Analysis, Outputs, SimulationOptions};
 use crate::simulate::{self, Simulation};
 
 /// Where the last analysis left a model.
+#[derive(Clone)]
 pub(crate) struct Left {
     pub model: ObjectId,
     /// Revision of the database it belongs to; a changed model starts anew.
@@ -130,6 +132,31 @@ impl Engine {
         Ok(())
     }
 
+    /// A run to one state that records what goes through beams. Neither it nor where it leaves the model is
+    /// kept.
+    pub fn beams_run(&mut self, database: &Database, model: ObjectId, at: &BeamsAt) -> Result<Run, Vec<Diagnostic>> {
+        let (lowering, left, count) = (self.lowering, self.left.clone(), self.count);
+        self.lowering = elements::Options { record_all: false, record_beams: true, ..lowering };
+        let analyses = match *at {
+            BeamsAt::Present | BeamsAt::Table { .. } => vec![Analysis::Assemble],
+            BeamsAt::Equilibrium => vec![Analysis::Static],
+            BeamsAt::Time { end, statics } => {
+                let dynamic = Analysis::Dynamic { end, outputs: Outputs::Steps(1) };
+                if statics { vec![Analysis::Static, dynamic] } else { vec![dynamic] }
+            }
+        };
+        let mut last = Err(Vec::new());
+        for analysis in analyses {
+            last = self.simulate(database, model, &SimulationOptions::new(analysis));
+            if last.is_err() {
+                break;
+            }
+            self.runs.pop();
+        }
+        (self.lowering, self.left, self.count) = (lowering, left, count);
+        last
+    }
+
     pub fn modes(
         &mut self,
         database: &Database,
@@ -137,7 +164,7 @@ impl Engine {
         about: &ModesAbout,
     ) -> Result<ModesReport, Vec<Diagnostic>> {
         let from = self.left_state(database, model).map(|left| left.state.clone());
-        let lowering = elements::Options { record_all: false, ..self.lowering };
+        let lowering = elements::Options { record_all: false, record_beams: false, ..self.lowering };
         modes::find(database, model, from, about, lowering, self.observer.as_mut())
     }
 

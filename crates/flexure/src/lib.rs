@@ -2,6 +2,7 @@
 //! door (command line, Python) stands on it and on nothing behind it.
 
 mod attributes;
+mod beams;
 mod compare_models;
 mod engine;
 mod fixes;
@@ -17,17 +18,19 @@ mod support;
 mod window;
 
 pub use attributes::{Attribute, AttributeValue};
+pub use beams::{BeamState, BeamsAt, BeamsReport, ChainLink};
 pub use compare_models::{ModelChange, ModelDifferences, ValueChange, Why};
 pub use fixes::{Fixed, apply_fixes};
 pub use layout::Layout;
 pub use modes::{Mode, ModesAbout, ModesReport};
 pub use run::{Control, Progress, Run, RunHeader, RunObserver, Silent};
-pub use session::{BeamAngles, Report, Session, Verification};
+pub use session::{Report, Session, Verification};
 pub use settings::{Analysis, Outputs, SimulationOptions};
 pub use support::{Support, support};
 pub use window::{Candidate, CommandReference, Completion, ParameterReference, Role};
 
 pub use elements::Finding;
+pub use elements::forces::beam::Angles as BeamAngles;
 pub use parquet;
 pub use results;
 pub use schema::{Count, Rule};

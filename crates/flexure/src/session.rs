@@ -8,12 +8,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use commands::{BodyMass, DataSet, Host, Interpreter, OnError, SimulationRequest};
 use dataset::Digits;
 use elements::Finding;
+use elements::forces::beam::Angles;
 use model::{Database, ObjectId};
 use results::Polyline;
 use schema::Registry;
 use text::{Diagnostic, FileId, Format, Sources, render};
 
 use crate::attributes::{self, Attribute};
+use crate::beams::{self, BeamsAt, BeamsReport};
 use crate::compare_models::{ModelDifferences, Side, compare_models};
 use crate::engine::{Engine, data_set, write_data_set};
 use crate::modes::{ModesAbout, ModesReport};
@@ -37,16 +39,6 @@ const NOT_READ: [(&str, &str); 5] = [
 pub struct Verification {
     pub report: Vec<String>,
     pub findings: Vec<Finding>,
-}
-
-/// How the three angles of a LINEAR or STRING beam come from the rotation of I from J.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum BeamAngles {
-    /// Each about its own axis of J, as the functions AX, AY and AZ have them.
-    #[default]
-    Projected,
-    /// The components of the rotation vector.
-    RotationVector,
 }
 
 /// A session.
@@ -116,9 +108,15 @@ impl Session {
         self.engine().lowering.record_all = all;
     }
 
+    /// Whether runs record what goes through every beam, its energy and the power it takes, beside
+    /// requests and measures.
+    pub fn record_beams(&mut self, beams: bool) {
+        self.engine().lowering.record_beams = beams;
+    }
+
     /// How LINEAR and STRING beams measure the rotation of I from J. All agree for small angles.
-    pub fn measure_beam_angles(&mut self, angles: BeamAngles) {
-        self.engine().lowering.rotation_vector = angles == BeamAngles::RotationVector;
+    pub fn measure_beam_angles(&mut self, angles: Angles) {
+        self.engine().lowering.beam_angles = angles;
     }
 
     /// Whether NONLINEAR beams shear by their shear ratios. Adams' do not (Euler and Bernoulli).
@@ -329,6 +327,19 @@ impl Session {
         let model = self.model_or_error()?;
         let database = &self.interpreter.database;
         lock(&self.engine).simulate(database, model, options)
+    }
+
+    /// What goes through every beam of the current model, in one state.
+    pub fn beams(&mut self, at: &BeamsAt) -> Result<BeamsReport, Vec<Diagnostic>> {
+        let model = self.model_or_error()?;
+        if let BeamsAt::Table { table, time } = at {
+            return beams::from_table(self.database(), model, table, *time);
+        }
+        let mut engine = lock(&self.engine);
+        let run = engine.beams_run(&self.interpreter.database, model, at)?;
+        let mut report = beams::from_table(&self.interpreter.database, model, &run.table, None)?;
+        report.diagnostics = run.diagnostics;
+        Ok(report)
     }
 
     /// Linear modes about the modelled state, the static equilibrium or a steady spin.

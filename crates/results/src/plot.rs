@@ -52,7 +52,7 @@ pub(crate) const PALETTE: [RGBColor; 8] = [
 
 pub(crate) const FONT: &str = "flexure";
 pub(crate) const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(226, 226, 226);
+pub(crate) const GRID: RGBColor = RGBColor(226, 226, 226);
 /// Panels drawn at most; more would be unreadable.
 const MOST_PANELS: usize = 4;
 /// Series drawn when none is named.
@@ -280,7 +280,7 @@ fn draw_panel<B: DrawingBackend>(
 }
 
 /// Range of finite values, widened by a fraction on both sides; never empty.
-fn span(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
+pub(crate) fn span(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let (low, high) =
         values.filter(|x| x.is_finite()).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
     if low > high {
@@ -295,7 +295,7 @@ fn span(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
 }
 
 /// A tick label with as many digits as the distance between ticks asks for.
-fn tick(value: f64, step: f64) -> String {
+pub(crate) fn tick(value: f64, step: f64) -> String {
     let value = if value.abs() < 1e-9 * step { 0.0 } else { value };
     let size = value.abs();
     if size >= 1e6 || (size > 0.0 && size < 1e-4) {

@@ -1,5 +1,6 @@
 //! One file for each subcommand.
 
+mod beams;
 mod check;
 mod convert;
 mod diff;
@@ -16,10 +17,12 @@ use std::io::{IsTerminal, Read};
 use std::mem::ManuallyDrop;
 use std::path::Path;
 
+use flexure::results::Format;
 use flexure::{BeamAngles, Report, Session};
 use text::Diagnostic;
 
-use crate::arguments::{Angles, Arguments, Beams, Command, Edits};
+use crate::arguments::{Angles, Arguments, Beams, Command, Edits, Recording};
+use crate::output::extension;
 use crate::{Outcome, interrupt};
 
 pub(crate) fn execute(arguments: &Arguments) -> Outcome {
@@ -27,6 +30,7 @@ pub(crate) fn execute(arguments: &Arguments) -> Outcome {
         Command::Run(run) => run::execute(run),
         Command::Simulate(simulate) => simulate::execute(simulate),
         Command::Modes(modes) => modes::execute(modes),
+        Command::Beams(beams) => beams::execute(beams),
         Command::Check(check) => check::execute(check),
         Command::Verify(verify) => verify::execute(verify),
         Command::Convert(convert) => convert::execute(convert),
@@ -56,6 +60,12 @@ pub(crate) fn set_beams(session: &mut Session, beams: &Beams) {
     session.shear_nonlinear_beams(beams.nonlinear_shear);
 }
 
+/// What the session's runs record from now on.
+pub(crate) fn set_recording(session: &mut Session, record: Recording) {
+    session.record_everything(record.all);
+    session.record_beams(record.beam_loads);
+}
+
 /// Diagnostics printed of one report; a file that is no command file has thousands.
 const MOST_PRINTED: usize = 200;
 
@@ -70,6 +80,39 @@ pub(crate) fn print(session: &Session, diagnostics: &[Diagnostic]) {
     if !left.is_empty() {
         eprintln!("... and {} more; `flexure check --format json` lists them all", left.len());
     }
+}
+
+/// Six digits, without zeros behind them.
+fn shown(x: f64) -> String {
+    if x != 0.0 && !(1e-3..1e7).contains(&x.abs()) {
+        return format!("{x:.6e}");
+    }
+    let decimals = (6 - x.abs().max(1e-3).log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+}
+
+/// The format of a picture by the name of its file; complains about others.
+fn picture_format(path: &Path) -> Option<Format> {
+    match extension(path).as_str() {
+        "svg" => Some(Format::Svg),
+        "png" => Some(Format::Png),
+        other => {
+            complain(format_args!("a picture ends in .svg or .png, not in `.{other}`"));
+            None
+        }
+    }
+}
+
+/// Width and height from `1000x600`; complains about others.
+fn picture_size(text: &str) -> Option<(u32, u32)> {
+    let sides = text.split_once('x').and_then(|(w, h)| Some((w.trim().parse().ok()?, h.trim().parse().ok()?)));
+    let fits = 100..=10_000;
+    let size = sides.filter(|(width, height)| fits.contains(width) && fits.contains(height));
+    if size.is_none() {
+        complain(format_args!("`{text}` is no size; write it as 1000x600, at most 10000x10000"));
+    }
+    size
 }
 
 /// A sentence on standard error, as every refusal of a subcommand.

@@ -3,7 +3,7 @@
 use std::sync::PoisonError;
 
 use crate::arguments::{OnError, Run};
-use crate::commands::{complain, count, print, read, session, set_beams};
+use crate::commands::{complain, count, print, read, session, set_beams, set_recording};
 use crate::output::Target;
 use crate::progress::Watcher;
 use crate::{Outcome, interrupt};
@@ -12,7 +12,7 @@ pub(super) fn execute(run: &Run) -> Outcome {
     let mut session = session();
     set_beams(&mut session, &run.beams);
     session.abort_on_error(run.strict || run.on_error == OnError::Abort);
-    session.record_everything(run.all);
+    set_recording(&mut session, run.record);
     if let Some(path) = &run.journal
         && let Err(error) = session.keep_journal(path)
     {

@@ -6,19 +6,13 @@ use flexure::sections::{Properties, Shape, Side, Theory};
 
 use crate::Outcome;
 use crate::arguments::{DiffFormat, Section, ShearTheory};
-use crate::commands::complain;
-use crate::output::extension;
+use crate::commands::{complain, picture_format, shown};
 
 pub(super) fn execute(request: &Section) -> Outcome {
-    let format = match request.out.as_deref().map(extension).as_deref() {
-        None => None,
-        Some("svg") => Some(Format::Svg),
-        Some("png") => Some(Format::Png),
-        Some(other) => {
-            complain(format_args!("a picture ends in .svg or .png, not in `.{other}`"));
-            return Outcome::Usage;
-        }
-    };
+    let format = request.out.as_deref().map(picture_format);
+    if format == Some(None) {
+        return Outcome::Usage;
+    }
     let shape = match shape(request) {
         Ok(shape) => shape,
         Err(sentence) => {
@@ -40,7 +34,7 @@ pub(super) fn execute(request: &Section) -> Outcome {
         DiffFormat::Text => println!("{}", table(request, shape, theory, &properties)),
         DiffFormat::Json => println!("{:#}", json(request, shape, theory, &properties)),
     }
-    let (Some(path), Some(format)) = (&request.out, format) else { return Outcome::Fine };
+    let (Some(path), Some(format)) = (&request.out, format.flatten()) else { return Outcome::Fine };
     let drawn = draw(request, shape, &properties, format).and_then(|bytes| {
         std::fs::write(path, bytes).map_err(|error| format!("cannot write {}: {error}", path.display()))
     });
@@ -107,16 +101,6 @@ fn rows(p: &Properties, unit: &str) -> [(&'static str, &'static str, f64, String
         ("y_extreme_fibre", "ey", p.extreme_y, unit.to_string()),
         ("z_extreme_fibre", "ez", p.extreme_z, unit.to_string()),
     ]
-}
-
-/// Six digits, without zeros behind them.
-fn shown(x: f64) -> String {
-    if x != 0.0 && !(1e-3..1e7).contains(&x.abs()) {
-        return format!("{x:.6e}");
-    }
-    let decimals = (6 - x.abs().max(1e-3).log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{x:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
 }
 
 fn table(request: &Section, shape: Shape, theory: Theory, properties: &Properties) -> Table {

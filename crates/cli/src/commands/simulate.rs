@@ -6,7 +6,7 @@ use flexure::{Analysis, Outputs, SimulationOptions};
 
 use crate::Outcome;
 use crate::arguments::Simulate;
-use crate::commands::{complain, open, print, session, set_beams};
+use crate::commands::{complain, open, print, session, set_beams, set_recording};
 use crate::output::{Target, extension};
 use crate::progress::Watcher;
 
@@ -19,7 +19,7 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
     let mut session = session();
     set_beams(&mut session, &simulate.beams);
     session.simulate_nothing(true);
-    session.record_everything(simulate.all);
+    set_recording(&mut session, simulate.record);
     if !open(&mut session, &simulate.model, &simulate.edits) {
         complain("the model has errors; nothing was simulated");
         return Outcome::Findings;
