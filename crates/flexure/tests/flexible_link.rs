@@ -51,12 +51,12 @@ fn a_link_has_the_mass_and_the_length_of_its_bar() {
         assert_close(mass, 7.8e-6 * 200.0 * 1000.0, 1e-14, "mass");
         let slab = mass / 4.0 * (250.0_f64.powi(2) + 100.0) / 12.0;
         assert_close(number(&session, ".m.arm_2", "iyy"), slab, 1e-14, "inertia");
-        let lengths: Vec<f64> = (1..=beams).map(|k| number(&session, &format!(".m.arm_beam_{k}"), "length")).collect();
+        let lengths: Vec<f64> = (1..=beams).map(|k| number(&session, &format!(".m.arm_BEAM_{k}"), "length")).collect();
         assert_close(lengths.iter().sum(), 250.0 * flexible, 1e-14, "length");
-        assert_close(number(&session, ".m.arm_beam_1", "shear_modulus"), 2e5 / 2.6, 1e-14, "shear modulus");
+        assert_close(number(&session, ".m.arm_BEAM_1", "shear_modulus"), 2e5 / 2.6, 1e-14, "shear modulus");
         session.execute("section modify rectangle section_name=.m.s height=20");
         assert_close(number(&session, ".m.arm_1", "mass"), 7.8e-6 * 400.0 * 250.0, 1e-14, "mass after a change");
-        assert_close(number(&session, ".m.arm_beam_1", "iyy"), 20.0_f64.powi(4) / 12.0, 1e-14, "iyy after a change");
+        assert_close(number(&session, ".m.arm_BEAM_1", "iyy"), 20.0_f64.powi(4) / 12.0, 1e-14, "iyy after a change");
     }
 }
 
@@ -75,13 +75,13 @@ fn a_link_is_one_step_of_undo() {
 fn tip(segments: usize, root: &str) -> f64 {
     let mut session = session(&link(segments, [root, "free"]));
     let setup = format!(
-        "marker create marker_name=.m.ground.still location=(EVAL(LOC_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.end_2))) \
-         orientation=(EVAL(ORI_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.end_2)))\n\
-         marker create marker_name=.m.ground.up location=(EVAL(LOC_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.end_2))) \
-         orientation=(EVAL(ORI_RELATIVE_TO({{0,-90,0}}, .m.arm_{segments}.end_2)))\n\
+        "marker create marker_name=.m.ground.still location=(EVAL(LOC_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.arm_MARKER_2))) \
+         orientation=(EVAL(ORI_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.arm_MARKER_2)))\n\
+         marker create marker_name=.m.ground.up location=(EVAL(LOC_RELATIVE_TO({{0,0,0}}, .m.arm_{segments}.arm_MARKER_2))) \
+         orientation=(EVAL(ORI_RELATIVE_TO({{0,-90,0}}, .m.arm_{segments}.arm_MARKER_2)))\n\
          force create direct single_component_force single_component_force_name=.m.f type_of_freedom=translational \
-         i_marker_name=.m.arm_{segments}.end_2 j_marker_name=.m.ground.up action_only=on function=\"0.01\"\n\
-         measure create function measure_name=.m.tip function=\"DY(.m.arm_{segments}.end_2, .m.ground.still, .m.ground.still)\" \
+         i_marker_name=.m.arm_{segments}.arm_MARKER_2 j_marker_name=.m.ground.up action_only=on function=\"0.01\"\n\
+         measure create function measure_name=.m.tip function=\"DY(.m.arm_{segments}.arm_MARKER_2, .m.ground.still, .m.ground.still)\" \
          units=length\n"
     );
     let report = session.execute(&setup);
@@ -177,7 +177,92 @@ fn what_makes_no_link_leaves_nothing() {
     refused(&mut base, (".m.steel", ".m.oil"), "flexible_link/material");
     // A name that is taken: parts that are made before it are taken back.
     base.execute(
-        "force create element_like beam beam_name=.m.arm_beam_2 i_marker_name=.m.ground.a j_marker_name=.m.ground.b",
+        "force create element_like beam beam_name=.m.arm_BEAM_2 i_marker_name=.m.ground.a j_marker_name=.m.ground.b",
     );
     refused(&mut base, ("", ""), "flexible_link/not-made");
+}
+
+/// Truth: the volume of the section times its length; of an ellipse of 24 corners 24/2 sin(15 degrees) / pi of
+/// it, of a cylinder with 20 sides 20/2 sin(18 degrees) / pi. The solids lie along the segments, follow a
+/// change of the section, and weigh nothing.
+#[test]
+fn segments_look_like_their_section() {
+    let corners = |n: f64| n / 2.0 * (std::f64::consts::TAU / n).sin() / std::f64::consts::PI;
+    for (section, create, area) in [
+        ("s", "", 200.0),
+        ("c", "section create circle section_name=.m.c diameter=20", corners(20.0) * std::f64::consts::PI * 100.0),
+        (
+            "t",
+            "section create tube section_name=.m.t diameter=20 thickness=2",
+            corners(20.0) * std::f64::consts::PI * 100.0,
+        ),
+        ("b", "section create box section_name=.m.b width=20 height=10 thickness=1", 200.0),
+        (
+            "e",
+            "section create ellipse section_name=.m.e width=20 height=10",
+            corners(24.0) * std::f64::consts::PI * 50.0,
+        ),
+        (
+            "i",
+            "section create i section_name=.m.i width=20 height=30 web_thickness=2 flange_thickness=3",
+            2.0 * 60.0 + 48.0,
+        ),
+        (
+            "p",
+            "section create properties section_name=.m.p area_of_cross_section=200 iyy=(20*10**3/12) izz=(10*20**3/12) ixx=4574",
+            200.0,
+        ),
+    ] {
+        let make = link(4, ["flexible", "free"]).replace(".m.s ", &format!(".m.{section} "));
+        let mut session = session(&format!("{create}\n{make}"));
+        let shapes = session.objects("shape");
+        assert_eq!(shapes.len(), 4, "{section}: {shapes:?}");
+        let volume = |session: &Session| -> f64 {
+            let database = session.database();
+            let solids = shapes.iter().map(|name| {
+                let id = database.ids().find(|id| database.full_name(*id) == *name).unwrap();
+                let placed = elements::geometry::shape(database, id).unwrap().unwrap();
+                // Metres.
+                placed.shape.volume().unwrap().volume * 1e9
+            });
+            solids.sum()
+        };
+        assert_close(volume(&session), 1000.0 * area, 1e-9, section);
+        // The solids lie between the ends of the link, and no further from its line than the section.
+        let (start, along) = (glam::DVec3::new(0.1, 0.0, 0.0), glam::DVec3::new(0.6, 0.64, 0.48));
+        let database = session.database();
+        let mut reach = [f64::MAX, f64::MIN];
+        for name in &shapes {
+            let id = database.ids().find(|id| database.full_name(*id) == *name).unwrap();
+            let placed = elements::geometry::shape(database, id).unwrap().unwrap();
+            let pose = elements::place::global_pose(database, placed.on.body).then(&placed.on.pose);
+            for point in placed.shape.lines().concat() {
+                let from = pose.origin + pose.rotation * point - start;
+                let x = from.dot(along);
+                reach = [reach[0].min(x), reach[1].max(x)];
+                assert!((from - along * x).length() < 0.019, "{section}: {point}");
+            }
+        }
+        assert!(reach[0].abs() < 1e-9 && (reach[1] - 1.0).abs() < 1e-9, "{section}: {reach:?}");
+        if section == "s" {
+            session.execute("section modify rectangle section_name=.m.s height=30");
+            assert_close(volume(&session), 600e3, 1e-9, "after a change");
+            assert_close(number(&session, ".m.arm_1", "mass"), 7.8e-6 * 600.0 * 250.0, 1e-14, "mass");
+        }
+    }
+}
+
+/// The dialog's help: the name of the link stands before that of each object; of `LINK` the first body is
+/// `LINK_1` and the first marker `LINK_MARKER_1`.
+#[test]
+fn objects_are_named_as_the_dialog_names_them() {
+    let session = session(&link(2, ["rigid", "flexible"]));
+    assert_eq!(session.objects("beam"), [".m.arm_BEAM_1", ".m.arm_BEAM_2"]);
+    assert_eq!(session.objects("joint"), [".m.arm_JOINT_1"]);
+    assert_eq!(session.objects("part"), [".m.ground", ".m.arm_1", ".m.arm_2"]);
+    let markers = session.objects("marker");
+    for name in [".m.arm_1.arm_MARKER_1", ".m.arm_2.arm_MARKER_2", ".m.ground.arm_MARKER_3", ".m.ground.arm_MARKER_4"] {
+        assert!(markers.contains(&name.to_string()), "{name} is not in {markers:?}");
+    }
+    assert_eq!(session.objects("shape"), [".m.arm_1.arm_BOX_1", ".m.arm_2.arm_BOX_2"]);
 }

@@ -24,8 +24,8 @@ const LIMITS: &[(&str, &str)] = &[
 /// Cases that are met to another relative tolerance than the file states, and why.
 const WIDER: &[(&str, f64, &str)] = &[(
     "G_rotating_cantilever_table",
-    1e-5,
-    "1e-7 belongs to the continuum; the polynomial through five chains leaves this much of their error",
+    1e-6,
+    "1e-7 belongs to the continuum; the polynomial through five chains is good to 2e-7",
 )];
 
 fn numbers(value: &Value) -> Vec<f64> {

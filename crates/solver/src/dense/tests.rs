@@ -127,3 +127,30 @@ fn known_eigenvalues_are_found() {
         assert!((angle - expected).abs() < 1e-10, "{angles:?}");
     }
 }
+
+/// A structure at its critical load, written as `[0 1; -K 0]` with a `K` that is rounding: a cluster of
+/// double zeros. Next to their neighbours the entries below the diagonal never become negligible, because
+/// each sweep brings the rounding of the ones back; without the second measure of what is negligible the
+/// iteration ends without eigenvalues for these seeds.
+/// Truth: `|s|^2` is at most the norm of `K`, 1e-14 times the number of rows, but for the rounding of the
+/// whole matrix, whose square root is all that is known of a double root.
+#[test]
+fn clusters_of_double_zeros_are_found() {
+    for (n, start) in [(12_usize, 2_u64), (20, 8), (40, 0)] {
+        let mut seed = start * 7919 + n as u64;
+        let half = n / 2;
+        let k = Matrix::from_fn(half, half, |_, _| 1e-14 * random(&mut seed));
+        let a = Matrix::from_fn(n, n, |i, j| match (i < half, j < half) {
+            (true, false) if j == i + half => 1.0,
+            (false, true) => -k[(i - half, j)],
+            _ => 0.0,
+        });
+        let pairs = eigenpairs(a.clone()).expect("the iteration converges");
+        let count: usize = pairs.iter().map(|pair| if pair.value[1] > 0.0 { 2 } else { 1 }).sum();
+        assert_eq!(count, n);
+        for pair in &pairs {
+            assert!(defect(&a, pair.value, &pair.vector) < 1e-13, "{:?}", pair.value);
+            assert!(pair.value[0].hypot(pair.value[1]) < 2e-6, "{:?}", pair.value);
+        }
+    }
+}

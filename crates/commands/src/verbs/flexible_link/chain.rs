@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::{DMat3, DVec3};
 
-use super::point;
+use super::{outline::Outline, point};
 use crate::verbs::section::TAKEN;
 
 /// How an end of a link is held.
@@ -38,6 +38,8 @@ pub struct Chain {
     pub damping_ratio: f64,
     pub formulation: String,
     pub color: Option<String>,
+    /// `None` for no geometry.
+    pub outline: Option<Outline>,
 }
 
 /// Axes of the parts: x along the chord, y as near to the y axis of the first marker as may be, or z
@@ -52,21 +54,31 @@ pub fn axes(chord: DVec3, marker: &DMat3) -> DMat3 {
 
 impl Chain {
     /// Length of a segment.
-    fn step(&self) -> f64 {
+    pub fn step(&self) -> f64 {
         self.chord.length() / self.segments as f64
     }
 
-    fn part(&self, number: usize) -> String {
+    pub fn part(&self, number: usize) -> String {
         format!("{}.{}", self.model, model::quoted(&format!("{}_{number}", self.name)))
     }
 
-    fn named(&self, what: &str) -> String {
-        format!("{}.{}", self.model, model::quoted(&format!("{}_{what}", self.name)))
+    /// An object of the model, named as the dialog names all it makes: the link, the kind, the number.
+    fn named(&self, kind: &str, number: usize) -> String {
+        format!("{}.{}", self.model, self.leaf(kind, number))
+    }
+
+    fn leaf(&self, kind: &str, number: usize) -> String {
+        model::quoted(&format!("{}_{kind}_{number}", self.name))
+    }
+
+    /// The marker at an end of the link, on its outer part.
+    fn end(&self, end: usize, outer: usize) -> String {
+        format!("{}.{}", self.part(outer), self.leaf("MARKER", end + 1))
     }
 
     /// The marker that is made on the body of an end.
     fn holder(&self, end: usize) -> String {
-        format!("{}.{}", self.bodies[end], model::quoted(&format!("{}_end_{}", self.name, end + 1)))
+        format!("{}.{}", self.bodies[end], self.leaf("MARKER", end + 3))
     }
 
     pub fn commands(&self) -> String {
@@ -108,7 +120,7 @@ impl Chain {
              orientation = {a:?}, {b:?}, {c:?}  &\n   relative_to = {ground}",
             point(middle)
         );
-        write_marker(text, &format!("{part}.cm"), &part, 0.0);
+        write_marker(text, &format!("{part}.cm"), &part, 0.0, "0, 0, 0");
         let (density, section) = (format!("{}.density", self.material), &self.section);
         let step = format!("{:?}{}", self.step(), self.length_unit);
         let mass = format!("{density} * {section}.area_of_cross_section * {step}");
@@ -126,6 +138,9 @@ impl Chain {
         if let Some(color) = &self.color {
             let _ = writeln!(text, "part attributes part_name = {part} color = {color}");
         }
+        if let Some(outline) = self.outline {
+            outline.write(text, self, number);
+        }
     }
 
     /// What is at an end: a marker on the outer part, and what holds it.
@@ -133,13 +148,13 @@ impl Chain {
         let part = self.part(outer);
         let half = self.step() / 2.0;
         let at = if end == 0 { -half } else { half };
-        let marker = format!("{part}.end_{}", end + 1);
-        write_marker(text, &marker, &part, at);
+        let marker = self.end(end, outer);
+        write_marker(text, &marker, &part, at, "0, 0, 0");
         if self.attachments[end] != Attachment::Free {
-            write_marker(text, &self.holder(end), &part, at);
+            write_marker(text, &self.holder(end), &part, at, "0, 0, 0");
         }
         if self.attachments[end] == Attachment::Rigid {
-            let joint = self.named(&format!("fixed_{}", end + 1));
+            let joint = self.named("JOINT", end + 1);
             let _ = writeln!(
                 text,
                 "constraint create joint fixed joint_name = {joint} i_marker_name = {marker} j_marker_name = {}",
@@ -149,7 +164,7 @@ impl Chain {
     }
 
     fn write_beam(&self, text: &mut String, number: usize, i: &str, j: &str, length: f64) {
-        let name = self.named(&format!("beam_{number}"));
+        let name = self.named("BEAM", number);
         let (material, unit) = (&self.material, self.length_unit);
         let _ = write!(
             text,
@@ -166,10 +181,10 @@ impl Chain {
     }
 }
 
-/// A marker along x of a part, with its axes.
-fn write_marker(text: &mut String, name: &str, part: &str, x: f64) {
+/// A marker along x of a part, turned from its axes.
+pub fn write_marker(text: &mut String, name: &str, part: &str, x: f64, turned: &str) {
     let _ = writeln!(
         text,
-        "marker create marker_name = {name} location = {x:?}, 0, 0 orientation = 0, 0, 0 relative_to = {part}"
+        "marker create marker_name = {name} location = {x:?}, 0, 0 orientation = {turned} relative_to = {part}"
     );
 }

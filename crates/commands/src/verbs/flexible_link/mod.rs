@@ -5,9 +5,16 @@
 //! A link of length L and n segments has n parts, each of a length h = L/n and with its centre of mass
 //! in its middle. Beams of length h join the middles. At either end the outer half segment is free, is
 //! fixed to the body of the marker there, or is replaced by a beam of length h/2 to that body. Masses,
-//! inertias and beams refer to material and section by expressions, so that they follow a change.
+//! inertias, geometry and beams refer to material and section by expressions, so that they follow a
+//! change.
+//!
+//! The dialog puts the name of the link before that of each object: of a link `ARM` the parts are `ARM_1`,
+//! `ARM_2`, ..., the beams `ARM_BEAM_1`, ..., the fixed joints `ARM_JOINT_1` and `ARM_JOINT_2` by their end.
+//! The markers at the ends of the link are `ARM_MARKER_1` and `ARM_MARKER_2` on its outer parts, and
+//! `ARM_MARKER_3` and `ARM_MARKER_4` on the bodies that hold it. Which number which marker has is ours.
 
 mod chain;
+mod outline;
 mod report;
 
 use glam::DVec3;
@@ -18,6 +25,7 @@ use text::Diagnostic;
 use super::{VerbEntry, entry, shared::Outcome};
 use crate::{Interpreter, call::Call, interpreter::Flow};
 use chain::{Attachment, Chain};
+use outline::Outline;
 
 const ATTACHMENTS: &[&str] = &["rigid", "flexible", "free"];
 
@@ -52,7 +60,8 @@ pub const CREATE: VerbEntry = entry(
             ATTACHMENT_1,
             ATTACHMENT_2,
             FORMULATION,
-            Field::text("color").doc("colour of the parts"),
+            Field::text("color").doc("colour of the parts and their geometry"),
+            Field::yes_no("geometry").default_word("yes").doc("draw the section along every segment"),
             Field::yes_no("convergence_report")
                 .default_word("no")
                 .doc("list natural frequencies of n, 2 n and 4 n segments against those of the continuous beam"),
@@ -189,6 +198,7 @@ fn read_chain(interpreter: &mut Interpreter, call: &Call) -> Outcome<Chain> {
     let damping_ratio = interpreter.number_argument(call, "damping_ratio")?.unwrap_or(0.0);
     let formulation = interpreter.word_of(call, "formulation")?.unwrap_or_else(|| "linear".into());
     let color = interpreter.word_of(call, "color")?;
+    let drawn = interpreter.flag_argument(call, "geometry")? != Some(false);
     let database = &interpreter.database;
     let poses = markers.map(|m| database.global_pose(m));
     let chord = poses[1].origin - poses[0].origin;
@@ -222,6 +232,7 @@ fn read_chain(interpreter: &mut Interpreter, call: &Call) -> Outcome<Chain> {
         damping_ratio,
         formulation,
         color,
+        outline: drawn.then(|| Outline::of(database.object(section).class.id)),
     })
 }
 

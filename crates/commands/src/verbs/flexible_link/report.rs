@@ -67,7 +67,7 @@ impl Case {
              material create material_name = .m.steel density = {density:?} youngs_modulus = {e:?} poissons_ratio = {nu:?}\n\
              section create properties section_name = .m.s area_of_cross_section = {area:?} ixx = {ixx:?} \
              iyy = {iyy:?} izz = {izz:?}\n\
-             flexible_link create link_name = link marker_1 = .m.ground.a marker_2 = .m.ground.b segments = {segments} \
+             flexible_link create link_name = link marker_1 = .m.ground.a marker_2 = .m.ground.b segments = {segments} geometry = no \
              material_name = .m.steel section_name = .m.s attachment_1 = {} attachment_2 = {}\n",
             word(self.ends[0]),
             word(self.ends[1]),
