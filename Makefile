@@ -7,7 +7,10 @@ BIN := $(VENV)/bin
 OUT := out
 CARGO ?= cargo
 
-.PHONY: run test lint tidy bench fuzz snap build wheel clean
+# The program that the manual is computed with.
+FLEXURE ?= target/release/flexure
+
+.PHONY: run test docs docs-test lint tidy bench fuzz snap build wheel clean
 
 ## Build the release binary and the wheel, run the shipped rotor, show its results.
 run: build wheel
@@ -27,6 +30,18 @@ run: build wheel
 test: wheel
 	$(CARGO) test --workspace --quiet
 	$(BIN)/python -m pytest -q python/tests
+
+## The manual, from out/docs/index.html; its figures, tables and numbers are computed by the program.
+docs: $(if $(filter target/release/flexure,$(FLEXURE)),build) $(VENV)/docs
+	$(BIN)/python docs/build.py --program $(FLEXURE) --out $(OUT)/docs
+
+## Builds the manual aside and reads it: numbering, references, figures, parameter tables, no network.
+docs-test: $(VENV)/docs
+	FLEXURE=$(abspath $(FLEXURE)) $(BIN)/python -m pytest -q docs/tests
+
+$(VENV)/docs: docs/requirements.txt | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --requirement docs/requirements.txt
+	@touch $@
 
 build:
 	$(CARGO) build --release --package flexure-cli
