@@ -40,7 +40,7 @@ class Workshop:
 
 def material(program: Program) -> Material:
     shop = Workshop(program)
-    for part in (_markers, _tables, _signs, _elastica, _shapes, _roll_up, _buckling, _princeton, _frequencies, _limits):
+    for part in (_markers, _tables, _signs, _elastica, _shapes, _inside, _roll_up, _buckling, _princeton, _frequencies, _limits):
         part(shop)
     return shop.material
 
@@ -149,7 +149,7 @@ def _elastica(shop: Workshop) -> None:
             for n, both in errors[look].items():
                 for symbol, value in zip("uv", both):
                     shop.material.number(f"error.{key}.{alpha}.{n}.{symbol}", 100.0 * value, ".2g")
-            rows.append([look.label, f"α = {alpha}", *orders, *errors[look][counts[-1]]])
+            rows.append([look.label, f"α\u00a0=\u00a0{alpha}", *orders, *errors[look][counts[-1]]])
     shop.material.figures["elastica"] = figure(panels, "Error of a cantilever of N beams under a tip load.", list(KEYS))
     shop.material.tables["orders"] = tables.plain(
         ["formulation", "load", "order in u", "order in v", f"error of u, N = {counts[-1]}", "error of v"],
@@ -161,6 +161,9 @@ def _tip_task(shop: Workshop, of: Case, alpha: int, n: int, expected):
     def task():
         if expected is not None:
             return of.compared(shop.program, *expected)
+        if (alpha, n) == (10, 1) and of.data["name"].startswith("STRING"):
+            # The table has a case of its own for it.
+            return None
         try:
             found = of.values(shop.program, {"alpha": alpha, "n": n})
         except Refused:
@@ -198,6 +201,29 @@ def _shapes(shop: Workshop) -> None:
         largest = max(largest, math.hypot(x[-1] - exact.x[0], y[-1] - exact.y[0]))
     shop.material.number("shapes.largest.linear", 100.0 * largest, ".2g")
     shop.material.figures["shapes"] = figure([panel, other], "Nodes of chains on the elastica.", [curve, nodes, plain])
+
+
+def _inside(shop: Workshop) -> None:
+    """Moment and axial force along chains, and of the elastica."""
+    alpha, n = 4, 4
+    exact = elastica.tip_force(alpha)
+    moment = Panel("bending moment", "s / L", "M / PL", size=(5.0, 3.9))
+    axial = Panel("axial force", "s / L", "N / P", size=(5.0, 3.9))
+    curve = Look("elastica", "ink", "")
+    moment.add(curve, exact.s, exact.moment / alpha, linewidth=1.3)
+    axial.add(curve, exact.s, np.sin(exact.angle), linewidth=1.3)
+    looks = {"nonlinear": Look("NONLINEAR", "c4", "D"), "linear": Look("LINEAR, J at the root", "c1", "o")}
+    shop.material.number("inside.n", n, "d")
+    for key, look in looks.items():
+        of = case("elastica", f"{key.upper()}, J at the root side, alpha = 1")
+        last = of.series(shop.program, {"alpha": alpha, "n": n}, "--beam-loads")
+        ends = [[last[f"beam_{k}.MZ_{end}"] / alpha for end in "JI"] for k in range(1, n + 1)]
+        stations = [[(k - 1) / n, k / n] for k in range(1, n + 1)]
+        moment.add(look, sum(stations, []), sum(ends, []))
+        axial.add(look, sum(stations, []), sum([[last[f"beam_{k}.N"] / alpha] * 2 for k in range(1, n + 1)], []), markersize=3.5)
+        known = np.interp(sum(stations, []), exact.s[::-1], exact.moment[::-1] / alpha)
+        shop.material.number(f"inside.moment.{key}", 100.0 * float(np.abs(known - sum(ends, [])).max()), ".2g")
+    shop.material.figures["inside"] = figure([moment, axial], "What goes through a bent cantilever.", [curve, *looks.values()])
 
 
 def _roll_up(shop: Workshop) -> None:

@@ -18,11 +18,18 @@ _PIECES = np.linspace(0.0, 1.0, 61)
 
 @dataclass(frozen=True)
 class Curve:
-    """Points from the tip to the root, and the angle of the tip in rad."""
+    """Points from the tip to the root: place along the axis, coordinates, angle of the tangent, moment."""
 
+    s: np.ndarray
     x: np.ndarray
     y: np.ndarray
-    slope: float
+    angle: np.ndarray
+    moment: np.ndarray
+
+    @property
+    def slope(self) -> float:
+        """Angle of the tip, rad."""
+        return float(self.angle[0])
 
     @property
     def u(self) -> float:
@@ -35,15 +42,19 @@ class Curve:
         return float(self.y[0])
 
 
+def _bending(alpha: float, tip: float, compliance: float, t):
+    """t' where the angle is t, which is the moment too."""
+    rise = 2.0 * np.cos((tip + t) / 2.0) * np.sin((tip - t) / 2.0)
+    return np.sqrt(2.0 * alpha * rise + alpha**2 * compliance * rise * (np.sin(tip) + np.sin(t)))
+
+
 def _integrals(alpha: float, tip: float, compliance: float) -> np.ndarray:
     """Cumulative integrals of ds, dx, dy from the tip on, a row for each piece."""
     low, high = _PIECES[:-1, None], _PIECES[1:, None]
     z = low + (high - low) * (_X + 1.0) / 2.0
     weight = (high - low) * _W / 2.0
     t = tip * (1.0 - z * z)
-    rise = 2.0 * np.cos((tip + t) / 2.0) * np.sin((tip - t) / 2.0)
-    rate = np.sqrt(2.0 * alpha * rise + alpha**2 * compliance * rise * (np.sin(tip) + np.sin(t)))
-    arc = 2.0 * tip * z / rate * weight
+    arc = 2.0 * tip * z / _bending(alpha, tip, compliance, t) * weight
     stretch = 1.0 + alpha * np.sin(t) * compliance
     parts = [arc, arc * stretch * np.cos(t), arc * stretch * np.sin(t)]
     return np.stack([np.cumsum(p.sum(axis=1)) for p in parts], axis=1)
@@ -60,9 +71,10 @@ def tip_force(alpha: float, ea: float = np.inf) -> Curve:
         else:
             high = tip
     sums = _integrals(alpha, tip, 1.0 / ea)
-    from_tip = np.vstack([[0.0, 0.0], sums[:, 1:]])
-    x, y = (from_tip[-1] - from_tip).T
-    return Curve(x, y, tip)
+    from_tip = np.vstack([[0.0, 0.0, 0.0], sums])
+    along, x, y = (from_tip[-1] - from_tip).T
+    angle = tip * (1.0 - _PIECES**2)
+    return Curve(along, x, y, angle, _bending(alpha, tip, 1.0 / ea, angle))
 
 
 def by_elliptic_integrals(alpha: float) -> tuple[float, float]:

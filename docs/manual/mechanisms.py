@@ -52,10 +52,14 @@ class Case:
                 raise AssertionError(f"{self.folder}, {self.data['name']}, {inputs}: {name} is {found[name]:.9g}, not {wanted}")
         return found
 
+    def series(self, program: Program, inputs: Values, *options: str) -> Values:
+        """All that a run records at its end."""
+        commands = [_filled(c, inputs) for c in self.data["commands"]]
+        return program.run(self._paths(), commands, *self._options(), *options)
+
     def shape(self, program: Program, inputs: Values, nodes: int) -> tuple[np.ndarray, np.ndarray]:
         """Where the nodes of a chain are, the root first."""
-        commands = [_filled(c, inputs) for c in self.data["commands"]]
-        last = program.run(self._paths(), commands, *self._options(), "--all")
+        last = self.series(program, inputs, "--all")
         return tuple(np.array([0.0] + [last[f"part_{k}_XFORM.{axis}"] for k in range(1, nodes + 1)]) for axis in "XY")
 
     def _paths(self) -> list:
