@@ -9,11 +9,12 @@
 
 from flexure._errors import Diagnostic, FlexureError
 from flexure._model import Finding, Model, Modes, read
-from flexure._native import __version__
+from flexure._native import BeamState, __version__
 from flexure._objects import Object, Objects
 from flexure._run import Run, Series
 
 __all__ = [
+    "BeamState",
     "Diagnostic",
     "Finding",
     "FlexureError",

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from flexure import _native
 from flexure._errors import Diagnostic
+from flexure._native import BeamState
 from flexure._objects import Objects
 from flexure._run import Run
 
@@ -78,6 +79,28 @@ class Model:
         """Objects of a class (``beam``) or family (``force``, ``constraint``, ``geometry``)."""
         return Objects(self._native, wanted)
 
+    @property
+    def beam_angles(self) -> str:
+        """How LINEAR and STRING beams measure the rotation of I from J.
+
+        ``"projected"``: each angle about its own axis of J, like the functions AX, AY and AZ. ``"rotvec"``: the
+        components of the rotation vector. Counts for every analysis from now on.
+        """
+        return self._native.beam_angles()
+
+    @beam_angles.setter
+    def beam_angles(self, how: str) -> None:
+        self._native.set_beam_angles(how)
+
+    @property
+    def nonlinear_shear(self) -> bool:
+        """Whether NONLINEAR beams shear by their shear ratios. Counts for every analysis from now on."""
+        return self._native.nonlinear_shear()
+
+    @nonlinear_shear.setter
+    def nonlinear_shear(self, shear: bool) -> None:
+        self._native.set_nonlinear_shear(shear)
+
     def execute(self, command: str) -> list[Run]:
         """Executes command text. Returns the runs it made, usually none.
 
@@ -101,6 +124,7 @@ class Model:
         error: float | None = None,
         hmax: float | None = None,
         all: bool = False,  # noqa: A002  (the command line's word)
+        beam_loads: bool = False,
         progress: Callable[[float, str], object] | None = None,
     ) -> Run:
         """Simulate the motion from the initial state to `end`.
@@ -123,19 +147,42 @@ class Model:
             Largest step, s.
         all : bool
             Record parts, joints, motions and forces too.
+        beam_loads : bool
+            Record what goes through every beam, its energy and the power it takes: ``run["beam.MZ_J"]``.
         progress : callable
             Called with the done part and a sentence; raising stops the run.
         """
         if static:
-            self._simulate("static", integrator=integrator, all=all)
+            self._simulate("static", integrator=integrator, all=all, beam_loads=beam_loads)
         kind = "kinematic" if kinematic else "dynamic"
         return self._simulate(
-            kind, end=end, steps=steps, dtout=dtout, integrator=integrator, error=error, hmax=hmax, all=all, progress=progress
+            kind,
+            end=end,
+            steps=steps,
+            dtout=dtout,
+            integrator=integrator,
+            error=error,
+            hmax=hmax,
+            all=all,
+            beam_loads=beam_loads,
+            progress=progress,
         )
 
-    def equilibrium(self, *, all: bool = False) -> Run:  # noqa: A002
+    def equilibrium(self, *, all: bool = False, beam_loads: bool = False) -> Run:  # noqa: A002
         """Static equilibrium; the run has one output."""
-        return self._simulate("static", all=all)
+        return self._simulate("static", all=all, beam_loads=beam_loads)
+
+    def beam_loads(self, *, static: bool = False, at: float | None = None) -> dict[str, BeamState]:
+        """What goes through every beam: the state of each by its full name, in order of creation.
+
+        Without arguments as modelled, or where the last analysis left the model; with `static` in the static
+        equilibrium; with `at` after a dynamic simulation to that time (s), with both from the equilibrium on.
+
+        A state has ``.force`` (N, Vy, Vz), ``.moment(station)`` (T, My, Mz at a share of the way from J to I),
+        ``.angle``, ``.energy``, ``.power``, ``.residual``, ``.length`` and ``.units``. Forces and moments act on
+        the face that looks to I: tension is positive, dMy/dx = Vz, dMz/dx = -Vy.
+        """
+        return {state.name: state for state in self._native.beams(static, at)}
 
     def _simulate(self, kind: str, **options: object) -> Run:
         run = Run(self._native.simulate(kind, **options))  # type: ignore[arg-type]

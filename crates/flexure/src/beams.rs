@@ -56,6 +56,12 @@ impl BeamState {
         if i[0].abs() > j[0].abs() { i[0] } else { j[0] }
     }
 
+    /// Torque and bending moments at a share of the way from J (0) to I (1).
+    pub fn moment(&self, station: f64) -> [f64; 3] {
+        let [j, i] = self.moments;
+        std::array::from_fn(|k| j[k] * (1.0 - station) + i[k] * station)
+    }
+
     /// Sizes of the bending moment at J and at I; between them it is never larger.
     pub fn bending(&self) -> [f64; 2] {
         self.moments.map(|[_, y, z]| y.hypot(z))

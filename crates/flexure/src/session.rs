@@ -119,6 +119,16 @@ impl Session {
         self.engine().lowering.beam_angles = angles;
     }
 
+    /// How LINEAR and STRING beams measure the rotation of I from J at present.
+    pub fn beam_angles(&self) -> Angles {
+        self.engine().lowering.beam_angles
+    }
+
+    /// Whether NONLINEAR beams shear at present.
+    pub fn nonlinear_beams_shear(&self) -> bool {
+        self.engine().lowering.nonlinear_shear
+    }
+
     /// Whether NONLINEAR beams shear by their shear ratios. Adams' do not (Euler and Bernoulli).
     pub fn shear_nonlinear_beams(&mut self, shear: bool) {
         self.engine().lowering.nonlinear_shear = shear;

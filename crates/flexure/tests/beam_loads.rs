@@ -109,7 +109,8 @@ fn chains_store_the_work_of_large_loads_in_a_plane() {
         }
         // By parts: the integral of P dv is P v at the end less the integral of v dP.
         let weight = |k: usize| if k == 0 || k == way.len() - 1 { 1.0 } else { [2.0, 4.0][k % 2] };
-        let complement: f64 = way.iter().enumerate().map(|(k, (_, v))| weight(k) * v).sum::<f64>() * 2.0 / (3.0 * f64::from(steps));
+        let complement: f64 =
+            way.iter().enumerate().map(|(k, (_, v))| weight(k) * v).sum::<f64>() * 2.0 / (3.0 * f64::from(steps));
         let (load, deflection) = way[way.len() - 1];
         let work = load * deflection - complement;
         assert!(work > 0.3 && (energy - work).abs() < 1e-6 * work, "{formulation}: {energy} {work}");
@@ -142,13 +143,7 @@ fn lost_and_unexplained(formulation: &str, damping: &str, load: &str) -> (f64, f
     let (q, v) = bent.initial_state();
     let mut state = SystemState { q, v, ..SystemState::default() };
     bent.set_statics(true);
-    struct Quiet;
-    impl Observer for Quiet {
-        fn output(&mut self, _: &mut dyn Dae, _: &SystemState) -> Control {
-            Control::Continue
-        }
-    }
-    solver::equilibrium(&mut bent, &mut state, &StaticOptions::default(), &mut Quiet).unwrap();
+    solver::equilibrium(&mut bent, &mut state, &StaticOptions::default(), &mut Balance::default()).unwrap();
     let mut system = lowered(&chain);
     let mut state = SystemState { v: vec![0.0; state.v.len()], q: state.q, ..SystemState::default() };
     let options = solver::IntegratorOptions {

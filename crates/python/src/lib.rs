@@ -4,6 +4,7 @@
 // Python's values arrive as owned arguments.
 #![allow(clippy::needless_pass_by_value)]
 
+mod beams;
 mod errors;
 mod observer;
 mod session;
@@ -23,5 +24,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<session::Session>()?;
     module.add_class::<session::Run>()?;
+    module.add_class::<beams::BeamState>()?;
     module.add_function(wrap_pyfunction!(run_command_line, module)?)
 }

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use flexure::{Analysis, Outputs, Report, SimulationOptions};
+use flexure::{Analysis, BeamAngles, BeamsAt, Outputs, Report, SimulationOptions};
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::{PyAttributeError, PyKeyError};
+use pyo3::exceptions::{PyAttributeError, PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
+use crate::beams::{self, BeamState};
 use crate::errors;
 use crate::observer::PythonObserver;
 
@@ -148,7 +149,7 @@ impl Session {
         self.settle(py, &report)
     }
 
-    #[pyo3(signature = (kind, end=None, steps=None, dtout=None, integrator=None, error=None, hmax=None, all=false, progress=None))]
+    #[pyo3(signature = (kind, end=None, steps=None, dtout=None, integrator=None, error=None, hmax=None, all=false, beam_loads=false, progress=None))]
     #[allow(clippy::too_many_arguments)]
     fn simulate(
         &mut self,
@@ -161,6 +162,7 @@ impl Session {
         error: Option<f64>,
         hmax: Option<f64>,
         all: bool,
+        beam_loads: bool,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
         let outputs = match (steps, dtout) {
@@ -177,6 +179,7 @@ impl Session {
         let raised = Arc::new(Mutex::new(None));
         self.session().set_observer(Box::new(PythonObserver { progress, raised: raised.clone() }));
         self.session().record_everything(all);
+        self.session().record_beams(beam_loads);
         let options = SimulationOptions { analysis, integrator, error, largest_step: hmax };
         let session = self.session();
         let outcome = py.detach(|| session.simulate(&options));
@@ -184,6 +187,48 @@ impl Session {
             return Err(error);
         }
         outcome.map(|inner| Run { inner }).map_err(|diagnostics| errors::raise(py, self.session(), &diagnostics))
+    }
+
+    /// How LINEAR and STRING beams measure rotation: `projected` or `rotvec`.
+    fn beam_angles(&mut self) -> &'static str {
+        match self.session().beam_angles() {
+            BeamAngles::Projected => "projected",
+            BeamAngles::RotationVector => "rotvec",
+        }
+    }
+
+    fn set_beam_angles(&mut self, how: &str) -> PyResult<()> {
+        let angles = match how {
+            "projected" => BeamAngles::Projected,
+            "rotvec" => BeamAngles::RotationVector,
+            _ => return Err(PyValueError::new_err(format!("`{how}` is not `projected` or `rotvec`"))),
+        };
+        self.session().measure_beam_angles(angles);
+        Ok(())
+    }
+
+    /// Whether NONLINEAR beams shear by their shear ratios.
+    fn nonlinear_shear(&mut self) -> bool {
+        self.session().nonlinear_beams_shear()
+    }
+
+    fn set_nonlinear_shear(&mut self, shear: bool) {
+        self.session().shear_nonlinear_beams(shear);
+    }
+
+    /// What goes through every beam, in order of creation.
+    #[pyo3(signature = (statics=false, at=None))]
+    fn beams(&mut self, py: Python<'_>, statics: bool, at: Option<f64>) -> PyResult<Vec<BeamState>> {
+        let at = match at {
+            Some(end) => BeamsAt::Time { end, statics },
+            None if statics => BeamsAt::Equilibrium,
+            None => BeamsAt::Present,
+        };
+        let session = self.session();
+        match py.detach(|| session.beams(&at)) {
+            Ok(report) => Ok(beams::states(&report)),
+            Err(diagnostics) => Err(errors::raise(py, self.session(), &diagnostics)),
+        }
     }
 
     /// Runs that commands made (`simulation single_run ...`) since the last call.
