@@ -14,7 +14,6 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined  # noqa: E402
-
 from manual import beam, fonts, page  # noqa: E402
 from manual.program import ROOT, Program  # noqa: E402
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import html
 import io
 import re
+import zlib
 from dataclasses import dataclass, field
 
 import matplotlib
@@ -136,23 +137,19 @@ def _count_axis(axes, counts: list[float]) -> None:
     axes.xaxis.set_major_formatter(FuncFormatter(lambda n, _: f"{n:g}"))
 
 
-_serial = 0
-
-
 def _themed(text: str, describe: str) -> str:
     """The drawing without its header, its names made unique in the page, its colours from the sheet."""
-    global _serial
-    _serial += 1
     svg = text[text.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
     svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.S)
     view = re.search(r'viewBox="([^"]*)"', svg).group(1)
     inner = svg[svg.index(">") + 1 :]
+    own = f"g{zlib.crc32(inner.encode()):08x}-"
     wanted = set(re.findall(r'(?:href="#|url\(#)([^")]+)', inner))
-    inner = re.sub(r' id="([^"]*)"', lambda m: f' id="g{_serial}-{m[1]}"' if m[1] in wanted else "", inner)
-    inner = re.sub(r'(href="#|url\(#)', rf"\1g{_serial}-", inner)
+    inner = re.sub(r' id="([^"]*)"', lambda m: f' id="{own}{m[1]}"' if m[1] in wanted else "", inner)
+    inner = re.sub(r'(href="#|url\(#)', rf"\1{own}", inner)
     for colour, name in _NAMES.items():
         inner = inner.replace(colour, f"var(--{name})")
-    inner = inner.replace("font-family: 'Source Sans Pro'", "font-family: var(--sans)").replace("'Source Sans Pro'", "var(--sans)")
+    inner = inner.replace("'Source Sans Pro'", "var(--sans)")
     inner = re.sub(r'<style type="text/css">[^<]*</style>', "", inner)
     return f'<svg class="chart" role="img" aria-label="{html.escape(describe)}" viewBox="{view}">{inner}'

@@ -55,7 +55,9 @@ def style_sheet(characters: set[int]) -> str:
 def _cut(path: Path, characters: list[int]) -> bytes:
     # The time stamp of the file would be that of the build.
     font = TTFont(path, recalcTimestamp=False)
-    options = subset.Options(flavor="woff2", layout_features=_FEATURES, hinting=False, notdef_outline=True)
+    options = subset.Options(
+        flavor="woff2", layout_features=_FEATURES, hinting=False, notdef_outline=True, name_IDs=["*"]
+    )
     options.drop_tables += ["FFTM", "DSIG"]
     cutter = subset.Subsetter(options)
     cutter.populate(unicodes=characters)

@@ -114,7 +114,9 @@ def displacement() -> str:
     d.dot(end, "point own")
     d.text((0, 0, 0), "J", "point", (-14, -4))
     d.text(end, "I", "point own", (-17, 5))
-    return d.svg("Displacements x, y, z and rotations a, b, c of marker I from where it is without load, in the axes of J")
+    return d.svg(
+        "Displacements x, y, z and rotations a, b, c of marker I from where it is without load, in the axes of J"
+    )
 
 
 def _rotation(angles: np.ndarray) -> np.ndarray:

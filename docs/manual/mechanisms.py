@@ -26,7 +26,9 @@ class Case:
         """Inputs and expected values."""
         find, columns = self.data["find"], self.data["columns"]
         named = [dict(zip(columns, row)) for row in self.data["rows"]]
-        return [({k: v for k, v in r.items() if k not in find}, {k: v for k, v in r.items() if k in find}) for r in named]
+        return [
+            ({k: v for k, v in r.items() if k not in find}, {k: v for k, v in r.items() if k in find}) for r in named
+        ]
 
     def values(self, program: Program, inputs: Values, guess: Values | None = None) -> Values:
         """The numbers of the case for some inputs."""
@@ -47,9 +49,13 @@ class Case:
         found = self.values(program, inputs, expected)
         tolerance = self.data["tolerance"]
         for name, wanted in expected.items():
-            room = self.data["find"][name].get("abs", tolerance.get("abs", 0.0) + tolerance.get("rel", 0.0) * abs(wanted))
+            room = self.data["find"][name].get(
+                "abs", tolerance.get("abs", 0.0) + tolerance.get("rel", 0.0) * abs(wanted)
+            )
             if not math.isnan(wanted) and not abs(found[name] - wanted) <= room:
-                raise AssertionError(f"{self.folder}, {self.data['name']}, {inputs}: {name} is {found[name]:.9g}, not {wanted}")
+                raise AssertionError(
+                    f"{self.folder}, {self.data['name']}, {inputs}: {name} is {found[name]:.9g}, not {wanted}"
+                )
         return found
 
     def series(self, program: Program, inputs: Values, *options: str) -> Values:
@@ -128,4 +134,3 @@ def _rotation_vector(first: float, second: float, third: float) -> np.ndarray:
         w, v = -w, -v
     size = float(np.linalg.norm(v))
     return v * (2.0 * math.atan2(size, w) / size) if size > 1e-12 else 2.0 * v
-

@@ -1,14 +1,14 @@
 """A page of the manual: Markdown with computed numbers, numbered equations, figures and tables.
 
-    @{name}               a computed number
-    @{name ~ 2 +- 0.1}    the same, which must lie there, or the build fails
-    @{name < 3}           the same with a bound, `<` or `>`
-    @{! name < 3}         shows nothing, but must hold: stands beside a claim in words
-    $$ ... $$ (eq:name)   a numbered equation;  @eq:name refers to it
-    ::: {#fig:name}       a figure with its caption;  @fig:name
-    ::: {#tab:name}       a table with its caption;  @tab:name
-    @sec:name             a section, a heading with {#name}
-    @test:name            the test that shows a property, from the page's list of evidence
+@{name}               a computed number
+@{name ~ 2 +- 0.1}    the same, which must lie there, or the build fails
+@{name < 3}           the same with a bound, `<` or `>`
+@{! name < 3}         shows nothing, but must hold: stands beside a claim in words
+$$ ... $$ (eq:name)   a numbered equation;  @eq:name refers to it
+::: {#fig:name}       a figure with its caption;  @fig:name
+::: {#tab:name}       a table with its caption;  @tab:name
+@sec:name             a section, a heading with {#name}
+@test:name            the test that shows a property, from the page's list of evidence
 """
 
 from __future__ import annotations
@@ -82,10 +82,12 @@ def build(source: str, material: Material, evidence: dict[str, dict]) -> Page:
     body = pypandoc.convert_text(
         text, "html5", "markdown-citations-implicit_figures", ["--mathml", "--syntax-highlighting=none", "--wrap=none"]
     )
-    body, title = _title(_formulas(body))
+    body, title = _title(_formulas(re.sub(r"(?<=\d) %", "\u00a0%", body)))
     body, equations = _equations(body, material.prefix)
     body, figures = _floats(body, "fig", material.figures, troubles)
     body, tables = _floats(body, "tab", material.tables, troubles)
+    left = {*material.figures, *material.tables} - {*figures, *tables}
+    troubles.extend(f"figure or table `{name}` is not shown" for name in sorted(left))
     body = _wide_tables(body)
     body, headings = _headings(body)
     tests = _tests(body, evidence, troubles)
@@ -155,7 +157,9 @@ def _equations(body: str, prefix: str) -> tuple[str, list[str]]:
         )
 
     body = re.sub(rf"<p>({_DISPLAYED})\s*\(eq:([\w-]+)\)</p>", numbered, body, flags=re.S)
-    return re.sub(rf"<p>({_DISPLAYED})</p>", r'<div class="equation"><div class="formula">\1</div></div>', body, flags=re.S), names
+    return re.sub(
+        rf"<p>({_DISPLAYED})</p>", r'<div class="equation"><div class="formula">\1</div></div>', body, flags=re.S
+    ), names
 
 
 def _floats(body: str, kind: str, known: dict[str, str], troubles: list[str]) -> tuple[str, list[str]]:
@@ -178,7 +182,7 @@ def _floats(body: str, kind: str, known: dict[str, str], troubles: list[str]) ->
 
 def _wide_tables(body: str) -> str:
     """Tables written in the text scroll by themselves where the page is narrow."""
-    return re.sub(r"(?<!<div class=\"wide\">)<table>(.*?)</table>", r'<div class="wide"><table>\1</table></div>', body, flags=re.S)
+    return re.sub(r"<table>(.*?)</table>", r'<div class="wide"><table>\1</table></div>', body, flags=re.S)
 
 
 def _headings(body: str) -> tuple[str, list[Heading]]:
@@ -187,7 +191,8 @@ def _headings(body: str) -> tuple[str, list[Heading]]:
     def anchored(match: re.Match[str]) -> str:
         level, name, text = int(match.group(1)), match.group(2), match.group(3)
         found.append(Heading(level, name, re.sub(r"<[^>]*>", "", text)))
-        return f'<h{level} id="{name}">{text} <a class="anchor" href="#{name}" aria-label="link to this section">#</a></h{level}>'
+        anchor = f'<a class="anchor" href="#{name}" aria-label="link to this section">#</a>'
+        return f'<h{level} id="{name}">{text} {anchor}</h{level}>'
 
     return re.sub(r'<h([23]) id="([^"]*)"[^>]*>(.*?)</h\1>', anchored, body, flags=re.S), found
 
@@ -234,4 +239,3 @@ def _references(body: str, labels: dict[str, str], troubles: list[str]) -> str:
         return f'<a{style} href="#{anchor}">{labels[target]}</a>'
 
     return _REFERENCE.sub(link, body)
-

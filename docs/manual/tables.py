@@ -11,13 +11,17 @@ from .program import Program
 def plain(head: list[str], rows: list[list[str]]) -> str:
     """A table of finished texts; the first column is words, the others numbers where they look so."""
     top = "".join(f"<th>{_raised(h)}</th>" for h in head)
-    body = "".join("<tr>" + "".join(_cell(c) for c in row) + "</tr>" for row in rows)
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+    return _table("plain", top, ["<tr>" + "".join(_cell(c) for c in row) + "</tr>" for row in rows])
+
+
+def _table(kind: str, head: str, rows: list[str]) -> str:
+    top = f"<thead><tr>{head}</tr></thead>" if head else ""
+    return f'<div class="wide"><table class="{kind}">{top}<tbody>{"".join(rows)}</tbody></table></div>'
 
 
 def _cell(text: str) -> str:
     numeric = text[:1].isdigit() or text[:1] == "−"
-    return f'<td{" class=number" if numeric else ""}>{_raised(text)}</td>'
+    return f"<td{' class=number' if numeric else ''}>{_raised(text)}</td>"
 
 
 def _raised(text: str) -> str:
@@ -28,10 +32,10 @@ def _raised(text: str) -> str:
 
 def parameters(reference: dict) -> str:
     """All parameters of a command with type, dimension, default and meaning."""
-    rows = []
+    rows, verb = [], reference["command"].split()[1]
     for p in reference["parameters"]:
         name, short = p["name"], p["shortest"]
-        shown = f"<b>{short}</b>{name[len(short):]}"
+        shown = f"<b>{short}</b>{name[len(short) :]}"
         kind = " | ".join(f"<code>{w}</code>" for w in p["words"]) if p["words"] else html.escape(p["type"])
         if p["dimension"]:
             kind += f", {p['dimension'].replace('_', ' ')}"
@@ -41,16 +45,17 @@ def parameters(reference: dict) -> str:
             kind += f", {p['least']} values" if p["least"] == p["most"] else f", {p['least']} to {p['most']} values"
         if p["must_be"]:
             kind += f'<span class="bound">{html.escape(p["must_be"])}</span>'
-        default = html.escape(p["default"] or ("required" if p["required"] else "–"))
+        without = "required" if p["required"] else "unchanged" if verb == "modify" else "–"
+        default = html.escape(p["default"] or without)
         if p["default"] and p["role"] == "value" and not p["default"].startswith("the "):
             default = f"<code>{default}</code>"
         keyword = f'<span class="keyword">{p["keyword"]}</span>' if p["keyword"] else ""
         rows.append(
-            f'<tr id="{reference["command"].split()[1]}.{name}"><td><code class="name">{shown}</code>{keyword}</td>'
+            f'<tr id="{verb}.{name}"><td><code class="name">{shown}</code>{keyword}</td>'
             f"<td>{kind}</td><td>{default}</td><td>{html.escape(p['doc'])}</td></tr>"
         )
     head = "".join(f"<th>{h}</th>" for h in ("parameter", "type, dimension", "if omitted", "meaning"))
-    return f'<div class="wide"><table class="parameters"><thead><tr>{head}</tr></thead><tbody>{"".join(rows)}</tbody></table></div>'
+    return _table("parameters", head, rows)
 
 
 def rules(reference: dict) -> str:
@@ -67,16 +72,16 @@ def rules(reference: dict) -> str:
             lines.append((word, ", ".join(f"<code>{n}</code>" for n in c["names"])))
         elif c["names"] not in [o.get("names") for o in conditions if o["rule"] == "at_most_one"]:
             lines.append(("at least one of", ", ".join(f"<code>{n}</code>" for n in c["names"])))
-    if not lines:
-        return "<p>Any parameters go together.</p>"
-    body = "".join(f"<tr><td>{word}</td><td>{names}</td></tr>" for word, names in lines)
-    return f'<div class="wide"><table class="rules"><tbody>{body}</tbody></table></div>'
+    return _table("rules", "", [f"<tr><td>{word}</td><td>{names}</td></tr>" for word, names in lines])
 
 
 def triangle() -> str:
     """Places of the 21 damping terms: the lower triangle of a symmetric matrix by columns."""
     order = {place: n for n, place in enumerate(((r, c) for c in range(6) for r in range(c, 6)), 1)}
-    force, rate = ("F<sub>x</sub>", "F<sub>y</sub>", "F<sub>z</sub>"), ("V<sub>x</sub>", "V<sub>y</sub>", "V<sub>z</sub>")
+    force, rate = (
+        ("F<sub>x</sub>", "F<sub>y</sub>", "F<sub>z</sub>"),
+        ("V<sub>x</sub>", "V<sub>y</sub>", "V<sub>z</sub>"),
+    )
     force += ("T<sub>x</sub>", "T<sub>y</sub>", "T<sub>z</sub>")
     rate += ("W<sub>x</sub>", "W<sub>y</sub>", "W<sub>z</sub>")
     head = "<th></th>" + "".join(f"<th>{r}</th>" for r in rate)
@@ -88,13 +93,14 @@ def triangle() -> str:
             style = "" if row >= column else ' class="mirrored"'
             cells.append(f"<td{style}>r<sub>{n}</sub></td>")
         rows.append(f"<tr><th>{force[row]}</th>{''.join(cells)}</tr>")
-    return f'<div class="wide"><table class="matrix"><thead><tr>{head}</tr></thead><tbody>{"".join(rows)}</tbody></table></div>'
+    return _table("matrix", head, rows)
 
 
 def signs(rows: list[list]) -> str:
     head = ["component", "on I: BEAM(id, 0, …)", "on J: BEAM(id, 1, …)"]
     # Rounding of the solver is no sign.
-    return plain(head, [[name, *(written(0.0 if abs(v) < 5e-7 else v, ".4f") for v in values)] for name, *values in rows])
+    shown = [[name, *(0.0 if abs(v) < 5e-7 else v for v in values)] for name, *values in rows]
+    return plain(head, [[name, *(written(v, ".4f") for v in values)] for name, *values in shown])
 
 
 def shear(program: Program) -> str:
