@@ -209,6 +209,40 @@ fn diagrams_are_drawn() {
     assert_eq!((status, errors.contains("is no size")), (2, true), "{errors}");
 }
 
+/// Chains as lists of beams' short names, `-` before one that is run through from I to J.
+fn chains(report: &Value) -> Vec<Vec<String>> {
+    let name = |link: &Value| {
+        let sign = if link["reversed"] == true { "-" } else { "" };
+        format!("{sign}{}", link["beam"].as_str().unwrap().trim_start_matches(".m."))
+    };
+    report["chains"].as_array().unwrap().iter().map(|c| c.as_array().unwrap().iter().map(name).collect()).collect()
+}
+
+/// Beams follow one another over parts that hold two of them; ground holds any number and ends a chain.
+#[test]
+fn beams_that_follow_one_another_are_chains() {
+    let with = |beams: &[(&str, &str, &str)]| {
+        let mut commands = UNITS.to_string();
+        marker(&mut commands, "ground.cm", "0,0,0", "0,0,0");
+        for (name, at) in [("a", "1,0,0"), ("b", "2,0,0"), ("c", "1,1,0")] {
+            part(&mut commands, name, at);
+        }
+        for (name, i, j) in beams {
+            beam(&mut commands, name, &format!("{i}.cm"), &format!("{j}.cm"), "length=1");
+        }
+        folder(&commands)
+    };
+    let branched = with(&[("one", "a", "ground"), ("two", "b", "a"), ("three", "c", "a"), ("four", "c", "ground")]);
+    let list = |folder: &TempDir| chains(&report(folder, &["m.cmd"]));
+    assert_eq!(list(&branched), [vec!["one"], vec!["two"], vec!["three", "-four"]]);
+    let ring = with(&[("one", "b", "a"), ("two", "c", "b"), ("three", "c", "a")]);
+    assert_eq!(list(&ring), [["one", "two", "-three"]]);
+    // Each chain is a piece of its own in the diagrams: four panels with six curves, three chains.
+    fine(&branched, &["beams", "m.cmd", "--draw", "d.svg"]);
+    let svg = fs::read_to_string(branched.path().join("d.svg")).unwrap();
+    assert_eq!(svg.matches("<polygon").count(), 6 * 3);
+}
+
 /// Twin: the same state from a results file and from a run of its own.
 #[test]
 fn what_a_run_recorded_is_what_a_run_of_its_own_finds() {

@@ -6,7 +6,7 @@ use common::{Build, codes};
 use flexure_elements::{Options, lower};
 use model::ObjectId;
 use schema::UnitSystem;
-use solver::Dae;
+use solver::{Dae, JacobianPoint};
 use text::Diagnostic;
 
 /// A bar of 500 mm that is 1 mm too long, from ground to a part, and a force on another part.
@@ -56,6 +56,51 @@ fn the_load_of_a_beam_can_drive_a_force() {
     assert!((force_on_other(&b, 0.0) - still).abs() < 1e-10 * still);
     let moving = 0.5 * stiffness * (1.0 + 0.01 * 10.0);
     assert!((force_on_other(&b, 0.01) - moving).abs() < 1e-10 * moving);
+}
+
+/// Twin: central differences of the residual. The force acts on one part and depends on another one, to
+/// which nothing else ties it; that block is in the pattern. Differences of 1e-6 leave 1e-9 of the largest.
+#[test]
+fn the_derivative_reaches_the_part_that_the_function_looks_at() {
+    let (b, _) = bar_and_force("BEAM(.m.bar, 0, 2, .m.tip.cm) + 0.01*BEAM(.m.bar, 1, 8)");
+    let mut lowered = lower(&b.database, b.model, Options::default()).unwrap_or_else(|d| panic!("{d:?}"));
+    let system = &mut lowered.system;
+    let (q, _) = system.initial_state();
+    let n = system.velocities();
+    let (v, zero): (Vec<f64>, Vec<f64>) = ((0..n).map(|k| 0.01 * k as f64).collect(), vec![0.0; n]);
+    let pattern = system.pattern();
+    assert!(pattern.pairs.contains(&(1, 0)), "{:?}", pattern.pairs);
+    for (damping, stiffness) in [(0.0, 1.0), (1.0, 0.0)] {
+        let at = JacobianPoint { t: 0.0, q: &q, v: &v, a: &zero, lambda: &[], mass: 0.0, damping, stiffness };
+        let mut block = [[0.0; 6]; 6];
+        let mut add = |row: usize, column: usize, values: &[f64]| {
+            if (row, column) == (1, 0) {
+                values.iter().enumerate().for_each(|(k, value)| block[k % 6][k / 6] += value);
+            }
+        };
+        system.jacobian(at, &mut add).unwrap();
+        let largest = block.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        assert!(largest > 0.0);
+        for column in 0..6 {
+            let mut side = |h: f64| {
+                let (mut q1, mut v1, mut r) = (q.clone(), v.clone(), zero.clone());
+                let mut step = zero.clone();
+                step[column] = h * stiffness;
+                system.retract(&q, &step, &mut q1);
+                v1[column] += h * damping;
+                system.residual(0.0, &q1, &v1, &zero, &[], &mut r).unwrap();
+                r
+            };
+            let (plus, minus) = (side(1e-6), side(-1e-6));
+            for (row, values) in block.iter().enumerate() {
+                let difference = (plus[6 + row] - minus[6 + row]) / 2e-6;
+                assert!(
+                    (values[column] - difference).abs() < 1e-7 * largest,
+                    "{row} {column}: {values:?} {difference}"
+                );
+            }
+        }
+    }
 }
 
 /// A deactivated element has no load.
