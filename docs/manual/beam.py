@@ -321,6 +321,13 @@ def _princeton(shop: Workshop) -> None:
         # Finer NONLINEAR chains are as good as the reference is printed.
         shop.material.number(f"princeton.first.{key}", math.log2(errors[0] / errors[1]), ".2f")
         shop.material.number(f"princeton.order.{key}", order(counts, errors), ".2f")
+    # STRING measures in the axes of J like LINEAR, and errs alike.
+    linear = case("princeton", names[vector_root])
+    commands = [c.replace("formulation=linear", "formulation=string") for c in linear.data["commands"]]
+    string = Case(linear.folder, linear.models, {**linear.data, "commands": commands})
+    counts = [4, 8, 16, 32]
+    found = shop.many([lambda n=n: string.values(shop.program, {"n": n})["twist"] for n in counts])
+    shop.material.number("princeton.order.string", order(counts, [v / exact - 1.0 for v in found]), ".2f")
     mean = Look("mean of the two", "c5", "^", ":")
     both = {n: abs(sum(pair) / 2.0 / exact - 1.0) for n, pair in sums.items()}
     error.add(mean, both.keys(), both.values())

@@ -16,6 +16,7 @@ sys.path.insert(0, str(ROOT / "docs"))
 
 import build  # noqa: E402
 from manual import page  # noqa: E402
+from manual.mechanisms import case  # noqa: E402
 from manual.program import Program  # noqa: E402
 
 PROGRAM = Path(os.environ.get("FLEXURE", ROOT / "target/debug/flexure"))
@@ -142,3 +143,11 @@ def test_evidence_must_exist_in_the_code():
     evidence = {"a": {"says": "", "file": "docs/tests/test_manual.py", "test": "not_" + "there"}}
     with pytest.raises(page.Wrong, match="no `fn not_there"):
         page.build("# T\n\nTrue@test:a.", page.Material(), evidence)
+
+
+def test_a_number_that_is_not_that_of_its_mechanism_stops_the_build():
+    of = case("elastica", "NONLINEAR, J at the root side, alpha = 1")
+    inputs, expected = of.rows()[0]
+    assert of.compared(Program(PROGRAM), inputs, expected).keys() == {"u", "v"}
+    with pytest.raises(AssertionError, match="u is 0.056"):
+        of.compared(Program(PROGRAM), inputs, {**expected, "u": expected["u"] + 2e-5})

@@ -282,3 +282,18 @@ fn an_unknown_command_is_not_explained() {
     assert_eq!(status, 2);
     assert!(trouble.contains("did you mean `beam`?"), "{trouble}");
 }
+
+/// Truth: the elastica turns by 12 degrees over the first quarter of this cantilever, so that one linear
+/// beam there is past 10 degrees, and two of them are not.
+#[test]
+fn a_run_names_the_beams_that_are_bent_beyond_their_range() {
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../mechanisms/beams/beams.cmd");
+    let folder = TempDir::new().unwrap();
+    let edits = ["chain n=4", "tip force y=1", "simulation single_run equilibrium model_name=.chain"];
+    let mut arguments = vec!["run", model.to_str().unwrap(), "--out", "out"];
+    edits.iter().for_each(|edit| arguments.extend(["-e", edit]));
+    let (status, _, trouble) = run(&folder, &arguments);
+    assert_eq!(status, 0, "{trouble}");
+    assert!(trouble.contains("run/beyond-validity") && trouble.contains(".chain.beam_1: 11.8 degrees"), "{trouble}");
+    assert!(trouble.contains("2 in its place would do"), "{trouble}");
+}
