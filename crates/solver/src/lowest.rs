@@ -18,11 +18,15 @@ pub struct LowMode {
 /// Stiffness against mass of a rigid motion, as a share of the largest: what rounding leaves of zero.
 const RIGID: f64 = 1e-13;
 /// Relative change of the lowest elastic frequency at which the iteration ends.
-const SETTLED: f64 = 1e-6;
+const SETTLED: f64 = 1e-9;
+/// The same while the shift is still far from that frequency.
+const ABOUT: f64 = 1e-2;
 /// Most times the shift is moved to where the lowest frequency is.
-const SHIFTS: usize = 6;
-/// Most iterations with one shift.
-const ITERATIONS: usize = 20;
+const SHIFTS: usize = 12;
+/// Most iterations with one shift: a good shift needs few, and a better one helps more than many.
+const ITERATIONS: usize = 6;
+/// Most iterations with the last shift.
+const LAST: usize = 30;
 
 /// The lowest modes about a state, by rising frequency, as many as `vectors` iterated ones show; the
 /// lowest elastic one among them is converged, and so are those below it. Empty if all motions that
@@ -34,35 +38,27 @@ pub fn lowest_modes(dae: &mut dyn Dae, state: &SystemState, vectors: usize) -> R
     let mut state = state.clone();
     state.fit(dae);
     let mut search = Search::new(dae, &state)?;
-    let highest = search.highest();
-    let mut shift = if highest > 0.0 && highest.is_finite() { 1e-3 * highest } else { 1.0 };
+    let highest = search.highest;
+    // Low, because long structures are far below their highest frequency; not so low that rigid motions drown
+    // all others.
+    let mut shift = if highest > 0.0 && highest.is_finite() { 1e-5 * highest } else { 1.0 };
     let mut basis = search.start(vectors.min(search.n));
-    let (mut found, mut last) = (Vec::new(), f64::INFINITY);
+    let mut last = f64::INFINITY;
     for _ in 0..SHIFTS {
         search.factor(shift)?;
-        let mut lowest = f64::INFINITY;
-        for _ in 0..ITERATIONS {
-            (basis, found) =
-                search.improve(&basis, shift).ok_or_else(|| Failure::new(Reason::NoConvergence, state.t))?;
-            let elastic = found.iter().find(|m| m.frequency > 0.0).map(|m| m.frequency);
-            let Some(now) = elastic else { break };
-            let settled = (now - lowest).abs() <= SETTLED * now;
-            lowest = now;
-            if settled {
-                break;
-            }
-        }
-        if !lowest.is_finite() {
-            // Rigid motions only: a smaller shift shows nothing else.
+        let Some((lowest, _)) = search.settle(&mut basis, shift, ABOUT, ITERATIONS)? else { return Ok(Vec::new()) };
+        if (lowest - last).abs() <= ABOUT * lowest {
             break;
-        }
-        if (lowest - last).abs() <= SETTLED.sqrt() * lowest {
-            return Ok(found);
         }
         (last, shift) = (lowest, lowest);
     }
-    found.retain(|_| last.is_finite());
-    Ok(found)
+    Ok(search.settle(&mut basis, shift, SETTLED, LAST)?.map(|(_, found)| found).unwrap_or_default())
+}
+
+/// Vectors and their products with the mass.
+struct Basis {
+    vectors: Vec<Vec<f64>>,
+    images: Vec<Vec<f64>>,
 }
 
 struct Search {
@@ -74,6 +70,8 @@ struct Search {
     stiffness: NewtonMatrix,
     shifted: NewtonMatrix,
     pattern: crate::Pattern,
+    /// About the highest frequency, rad/s.
+    highest: f64,
 }
 
 impl Search {
@@ -89,11 +87,15 @@ impl Search {
         let (mass, damping, stiffness) = (part(1.0, 0.0, 0.0)?, part(0.0, 1.0, 0.0)?, part(0.0, 0.0, 1.0)?);
         let shifted = NewtonMatrix::new(&pattern);
         let n = dae.velocities();
-        Ok(Search { n, unknowns: mass.unknowns(), time: state.t, mass, damping, stiffness, shifted, pattern })
+        let unknowns = mass.unknowns();
+        let mut search =
+            Search { n, unknowns, time: state.t, mass, damping, stiffness, shifted, pattern, highest: 0.0 };
+        search.highest = search.estimate();
+        Ok(search)
     }
 
     /// About the highest frequency, from the traces of the matrices.
-    fn highest(&self) -> f64 {
+    fn estimate(&self) -> f64 {
         let trace = |matrix: &NewtonMatrix| {
             let mut sum = 0.0;
             for (row, column, values) in matrix.blocks().filter(|(r, c, _)| r == c && *r < self.pattern.velocity_blocks)
@@ -107,13 +109,39 @@ impl Search {
     }
 
     /// Vectors that no mode is orthogonal to, always the same.
-    fn start(&self, count: usize) -> Vec<Vec<f64>> {
+    fn start(&self, count: usize) -> Basis {
         let mut seed = 0x9E37_79B9_7F4A_7C15_u64;
         let mut next = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
-        (0..count).map(|_| (0..self.n).map(|_| next()).collect()).collect()
+        let vectors: Vec<Vec<f64>> = (0..count).map(|_| (0..self.n).map(|_| next()).collect()).collect();
+        let images = vectors.iter().map(|x| self.times(&self.mass, x)).collect();
+        Basis { vectors, images }
+    }
+
+    /// Iterates until the lowest elastic frequency changes by less than a share of it; that frequency and
+    /// all modes. `None` if all are rigid.
+    fn settle(
+        &mut self,
+        basis: &mut Basis,
+        shift: f64,
+        share: f64,
+        most: usize,
+    ) -> Result<Option<(f64, Vec<LowMode>)>, Failure> {
+        let mut lowest = f64::INFINITY;
+        let mut found = Vec::new();
+        for _ in 0..most {
+            found = self.improve(basis, shift).ok_or_else(|| Failure::new(Reason::NoConvergence, self.time))?;
+            // A smaller shift shows nothing else of motions without stiffness.
+            let Some(now) = found.iter().find(|m| m.frequency > 0.0).map(|m| m.frequency) else { return Ok(None) };
+            let settled = (now - lowest).abs() <= share * now;
+            lowest = now;
+            if settled {
+                break;
+            }
+        }
+        Ok(Some((lowest, found)))
     }
 
     /// Factors `K + shift^2 M` with the constraints.
@@ -144,52 +172,67 @@ impl Search {
     }
 
     /// One step of the iteration: better vectors, and the modes they show.
-    fn improve(&mut self, basis: &[Vec<f64>], shift: f64) -> Option<(Vec<Vec<f64>>, Vec<LowMode>)> {
-        let mut vectors: Vec<Vec<f64>> = Vec::new();
-        for x in basis {
-            let mut y = self.times(&self.mass, x);
+    fn improve(&mut self, basis: &mut Basis, shift: f64) -> Option<Vec<LowMode>> {
+        let mut new = Basis { vectors: Vec::new(), images: Vec::new() };
+        for image in &basis.images {
+            let mut y = image.clone();
             y.resize(self.unknowns, 0.0);
-            self.shifted.solve_refined(&mut y);
+            // Unrefined: the next step corrects what this one leaves, and the modes are those of the matrices.
+            self.shifted.solve(&mut y);
             y.truncate(self.n);
             // Orthonormal in the mass; twice, so that nothing of the others is left.
             for _ in 0..2 {
-                for other in &vectors {
-                    let share = dot(&self.times(&self.mass, other), &y);
-                    y.iter_mut().zip(other).for_each(|(yi, oi)| *yi -= share * oi);
+                for (vector, image) in new.vectors.iter().zip(&new.images) {
+                    let share = dot(image, &y);
+                    add(&mut y, vector, -share);
                 }
             }
-            let square = dot(&self.times(&self.mass, &y), &y);
+            let mut image = self.times(&self.mass, &y);
+            let square = dot(&image, &y);
             if square > 0.0 && square.is_finite() {
-                let size = square.sqrt();
-                y.iter_mut().for_each(|yi| *yi /= size);
-                vectors.push(y);
+                let factor = 1.0 / square.sqrt();
+                y.iter_mut().chain(&mut image).for_each(|x| *x *= factor);
+                new.vectors.push(y);
+                new.images.push(image);
             }
         }
-        let p = vectors.len();
+        let p = new.vectors.len();
         if p == 0 {
             return None;
         }
-        let images: Vec<Vec<f64>> = vectors.iter().map(|x| self.times(&self.stiffness, x)).collect();
-        let reduced = Matrix::from_fn(p, p, |i, j| 0.5 * (dot(&vectors[i], &images[j]) + dot(&vectors[j], &images[i])));
+        let of =
+            |matrix: &NewtonMatrix| -> Vec<Vec<f64>> { new.vectors.iter().map(|x| self.times(matrix, x)).collect() };
+        let (stiffness, damping) = (of(&self.stiffness), of(&self.damping));
+        let reduced = Matrix::from_fn(p, p, |i, j| {
+            0.5 * (dot(&new.vectors[i], &stiffness[j]) + dot(&new.vectors[j], &stiffness[i]))
+        });
         let mut pairs = eigenpairs(reduced)?;
         pairs.sort_by(|a, b| a.value[0].total_cmp(&b.value[0]));
-        let least = RIGID * self.highest().powi(2).max(shift * shift);
-        let mut turned = Vec::with_capacity(p);
+        let least = RIGID * self.highest.powi(2).max(shift * shift);
+        let mut turned = Basis { vectors: Vec::with_capacity(p), images: Vec::with_capacity(p) };
         let mut modes = Vec::with_capacity(p);
         for pair in &pairs {
-            let mut x = vec![0.0; self.n];
-            for (vector, share) in vectors.iter().zip(&pair.vector) {
-                x.iter_mut().zip(vector).for_each(|(xi, vi)| *xi += share[0] * vi);
-            }
-            let mass = dot(&self.times(&self.mass, &x), &x);
+            let combined = |all: &[Vec<f64>]| {
+                let mut x = vec![0.0; self.n];
+                all.iter().zip(&pair.vector).for_each(|(v, share)| add(&mut x, v, share[0]));
+                x
+            };
+            let (x, image) = (combined(&new.vectors), combined(&new.images));
             let frequency = if pair.value[0] > least { pair.value[0].sqrt() } else { 0.0 };
-            let damped = dot(&self.times(&self.damping, &x), &x);
-            let damping_ratio = if frequency > 0.0 { damped / (2.0 * frequency * mass) } else { 0.0 };
+            let damped = dot(&combined(&damping), &x);
+            let damping_ratio = if frequency > 0.0 { damped / (2.0 * frequency * dot(&image, &x)) } else { 0.0 };
             modes.push(LowMode { frequency, damping_ratio });
-            turned.push(x);
+            turned.vectors.push(x);
+            turned.images.push(image);
         }
-        Some((turned, modes))
+        *basis = turned;
+        Some(modes)
     }
+}
+
+/// `y += factor x`
+fn add(y: &mut [f64], x: &[f64], factor: f64) {
+    y.iter_mut().zip(x).for_each(|(yi, xi)| *yi += factor * xi);
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -1,6 +1,9 @@
 //! A massless elastic beam between two markers.
 #![doc = include_str!("docs.md")]
 
+#[cfg(test)]
+#[path = "tests/complex_steps.rs"]
+mod complex_steps;
 pub mod corotational;
 pub mod dual;
 pub mod element;
