@@ -304,6 +304,11 @@ impl Session {
         self.model().map(|m| elements::draw::draw_model(self.database(), m).0).unwrap_or_default()
     }
 
+    /// What of the current model is not in its drawing, and why.
+    pub fn not_drawn(&self) -> Vec<Diagnostic> {
+        self.model().map(|m| elements::draw::draw_model(self.database(), m).1).unwrap_or_default()
+    }
+
     /// The global axis that points up: against gravity, or z without gravity.
     pub fn up_axis(&self) -> usize {
         let database = self.database();

@@ -6,7 +6,7 @@ use flexure::results::{Format, PictureRequest, PlotRequest, picture, plot};
 
 use crate::Outcome;
 use crate::arguments::{Edits, Plot};
-use crate::commands::{complain, open, picture_format, picture_size, session};
+use crate::commands::{complain, open, picture_format, picture_size, print, session};
 use crate::output::{extension, read_table};
 
 pub(super) fn execute(request: &Plot) -> Outcome {
@@ -43,6 +43,7 @@ fn draw_model(path: &Path, title: &str, size: (u32, u32), format: Format) -> Res
     if !open(&mut session, path, &Edits { commands: Vec::new() }) {
         return Err(format!("{} has errors", path.display()));
     }
+    print(&session, &session.not_drawn());
     picture(&session.drawing(), &PictureRequest { title, size, format, up: session.up_axis() })
         .map_err(|e| e.to_string())
 }
