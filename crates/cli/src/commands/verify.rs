@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use flexure::{Session, Verification};
+
 use crate::Outcome;
 use crate::arguments::Verify;
 use crate::commands::{complain, count, open, print, session};
@@ -39,14 +41,13 @@ pub(super) fn execute(verify: &Verify) -> Outcome {
         }
     }
     if verify.fix {
-        let mended = session.fix(&found);
-        print(&session, &mended.diagnostics);
+        let mended = mend(&mut session, &found);
         let path = verify.out.clone().unwrap_or_else(|| beside(&verify.model));
         if let Err(diagnostics) = session.write(&path) {
             print(&session, &diagnostics);
             return Outcome::Findings;
         }
-        eprintln!("{}; written to {}", count(mended.executed, "finding") + " mended", path.display());
+        eprintln!("{}; written to {}", count(mended, "finding") + " mended", path.display());
         if session.verify().findings.is_empty() && sound {
             println!("{}", path.display());
         } else {
@@ -55,6 +56,26 @@ pub(super) fn execute(verify: &Verify) -> Outcome {
     }
     // The model as given had findings, whatever was mended in the copy.
     if found.findings.is_empty() && sound { Outcome::Fine } else { Outcome::Findings }
+}
+
+/// Mends until nothing more can be: exchanged ends hide a wrong length. Returns how many findings had a
+/// fix that was executed.
+fn mend(session: &mut Session, found: &Verification) -> usize {
+    let mut tried: Vec<String> = Vec::new();
+    let mut mended = 0;
+    let mut left = found.clone();
+    loop {
+        // What did not help is not tried again.
+        left.findings.retain(|f| f.fix.as_ref().is_some_and(|fix| !tried.contains(fix)));
+        if left.findings.is_empty() {
+            return mended;
+        }
+        tried.extend(left.findings.iter().filter_map(|f| f.fix.clone()));
+        let report = session.fix(&left);
+        print(session, &report.diagnostics);
+        mended += left.findings.len().saturating_sub(report.failed);
+        left = session.verify();
+    }
 }
 
 /// `car.cmd` -> `car_fixed.cmd`, in the folder one works in.
