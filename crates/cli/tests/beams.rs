@@ -115,6 +115,18 @@ fn a_cantilever_gives_the_table_of_its_closed_form() {
     assert_eq!(printed, TABLE);
 }
 
+/// Truth: without a load nothing goes through; a length off by rounding is none.
+#[test]
+fn beams_without_a_load_show_zeros() {
+    let commands = cantilever("linear").replace("function=\"3\"", "function=\"0\"");
+    let folder = folder(&commands.replace("location=2,0,0", "location=2.0000000000000004,0,0"));
+    let printed = fine(&folder, &["beams", "m.cmd"]);
+    let row: Vec<&str> = printed.lines().find(|l| l.contains("beam_2")).unwrap().split_whitespace().collect();
+    assert_eq!(row[2..], ["0", "0", "0", "0", "0", "0", "-", "0", "|"], "{printed}");
+    let found = report(&folder, &["m.cmd"])["beams"][1]["n"].as_f64().unwrap();
+    assert!(found > 0.0, "the report itself has every digit");
+}
+
 /// Truth: fixed-base portal of height h = 2 m and width l = 3 m, equal EI, P = 10 mN on the corner: with
 /// k = h/l, M = P h/2 (3k+1)/(6k+1) = 6 mN m at the feet and P h/2 3k/(6k+1) = 4 mN m at the corners; the
 /// girder's shear is 2 x 4 mN m/l, so is the columns' axial force, left in tension; columns share P.

@@ -30,6 +30,8 @@ pub struct BeamState {
     pub name: String,
     /// Undeformed length.
     pub length: f64,
+    /// Young's modulus times area, a force: the force of a strain of one.
+    pub stretching: f64,
     /// Axial force and the two shear forces.
     pub force: [f64; 3],
     /// Torque and the two bending moments at J and at I.
@@ -194,10 +196,12 @@ fn state(database: &Database, beam: ObjectId, count: usize, table: &Table, row: 
         *value = *table.get(&format!("{short}.{column}{end}"))?.values.get(row)?;
     }
     let [n, vy, vz, tj, myj, mzj, ti, myi, mzi, angle, energy, power, residual] = values;
-    let length = database.si(beam, "length").unwrap_or_default() / database.units().length.si;
+    let section = elements::forces::beam::lower::section(database, beam);
+    let units = database.units();
     Some(BeamState {
         name: database.full_name(beam),
-        length,
+        length: section.length / units.factor(Dimension::LENGTH),
+        stretching: section.e * section.area / units.factor(Dimension::FORCE),
         force: [n, vy, vz],
         moments: [[tj, myj, mzj], [ti, myi, mzi]],
         angle,

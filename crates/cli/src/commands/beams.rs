@@ -11,6 +11,8 @@ use crate::output::read_table;
 
 /// Beside the largest of its kind a value below this part of it is a zero with rounding.
 const ROUNDING: f64 = 1e-9;
+/// Strain that is rounding of a length, and angle that is rounding of an axis.
+const NO_STRAIN: f64 = 1e-15;
 
 pub(super) fn execute(request: &BeamLoads) -> Outcome {
     let drawing = match &request.draw {
@@ -87,19 +89,33 @@ fn clean(value: f64, largest: f64) -> f64 {
     if value.abs() <= ROUNDING * largest { 0.0 } else { value }
 }
 
-fn largest_force(report: &BeamsReport) -> f64 {
-    largest(report, |b| b.force[0].abs().max(b.shear()))
+/// Sizes beside which others are zeros: of forces, moments, energies and angles. Where nothing is loaded it
+/// is what a strain of rounding would make.
+struct Scale {
+    force: f64,
+    moment: f64,
+    energy: f64,
+    angle: f64,
 }
 
-fn largest_moment(report: &BeamsReport) -> f64 {
-    largest(report, |b| b.bending()[0].max(b.bending()[1]).max(b.torque().abs()))
+impl Scale {
+    fn of(report: &BeamsReport) -> Scale {
+        let noise = |of: &dyn Fn(&BeamState) -> f64| largest(report, of) * NO_STRAIN / ROUNDING;
+        let force = largest(report, |b| b.force[0].abs().max(b.shear()));
+        let moment = largest(report, |b| b.bending()[0].max(b.bending()[1]).max(b.torque().abs()));
+        Scale {
+            force: force.max(noise(&|b| b.stretching)),
+            moment: moment.max(noise(&|b| b.stretching * b.length)),
+            energy: largest(report, |b| b.energy).max(noise(&|b| NO_STRAIN * b.stretching * b.length)),
+            angle: largest(report, |b| b.angle).max(NO_STRAIN / ROUNDING),
+        }
+    }
 }
 
 fn print_table(report: &BeamsReport, most: usize) {
-    let (force, moment) = (largest_force(report), largest_moment(report));
-    let (energy, power, angle) =
-        (largest(report, |b| b.energy), largest(report, |b| b.power), largest(report, |b| b.angle));
-    let total = report.energy();
+    let scale = Scale::of(report);
+    let power = largest(report, |b| b.power);
+    let total = clean(report.energy(), scale.energy);
     let mut table = Table::new();
     table.load_preset(presets::ASCII_BORDERS_ONLY_CONDENSED);
     let unit = |column: &str| format!("({})", report.unit(column));
@@ -117,16 +133,16 @@ fn print_table(report: &BeamsReport, most: usize) {
     ]);
     let share = |energy: f64| if total > 0.0 { format!("{:.2}", 100.0 * energy / total) } else { "-".into() };
     for beam in report.beams.iter().take(most) {
-        let (bent, place) = worst(beam, moment);
+        let (bent, place) = worst(beam, scale.moment);
         table.add_row([
             beam.name.clone(),
-            shown(clean(beam.force[0], force)),
-            shown(clean(beam.shear(), force)),
-            shown(clean(beam.torque(), moment)),
-            shown(clean(bent, moment)),
+            shown(clean(beam.force[0], scale.force)),
+            shown(clean(beam.shear(), scale.force)),
+            shown(clean(beam.torque(), scale.moment)),
+            shown(clean(bent, scale.moment)),
             place.to_string(),
-            shown(clean(beam.angle, angle)),
-            shown(clean(beam.energy, energy)),
+            shown(clean(beam.angle, scale.angle)),
+            shown(clean(beam.energy, scale.energy)),
             share(beam.energy),
             shown(clean(beam.power, power)),
         ]);
@@ -137,14 +153,14 @@ fn print_table(report: &BeamsReport, most: usize) {
     let count = report.beams.len();
     table.add_row([
         "largest size".to_string(),
-        shown(clean(largest(report, |b| b.force[0]), force)),
-        shown(clean(largest(report, BeamState::shear), force)),
-        shown(clean(largest(report, BeamState::torque), moment)),
-        shown(clean(largest(report, |b| worst(b, moment).0), moment)),
+        shown(clean(largest(report, |b| b.force[0]), scale.force)),
+        shown(clean(largest(report, BeamState::shear), scale.force)),
+        shown(clean(largest(report, BeamState::torque), scale.moment)),
+        shown(clean(largest(report, |b| worst(b, scale.moment).0), scale.moment)),
         String::new(),
-        shown(angle),
-        shown(energy),
-        share(energy),
+        shown(clean(largest(report, |b| b.angle), scale.angle)),
+        shown(clean(largest(report, |b| b.energy), scale.energy)),
+        share(largest(report, |b| b.energy)),
         shown(power),
     ]);
     let mut sums = vec![String::new(); 10];
@@ -239,7 +255,7 @@ fn marks(report: &BeamsReport) -> Vec<f64> {
 }
 
 fn panels(report: &BeamsReport) -> Vec<Panel> {
-    let (force, moment) = (largest_force(report), largest_moment(report));
+    let Scale { force, moment, .. } = Scale::of(report);
     let places = places(report);
     // A curve from the values at J and at I; a beam that is run through from I is turned round.
     let curve = |name: &str, largest: f64, ends: &dyn Fn(&BeamState) -> [f64; 2]| {
