@@ -29,7 +29,7 @@ pub enum Command {
     Check(Check),
     /// Degrees of freedom, redundant constraints, and the traps of beams.
     Verify(Verify),
-    /// Write a model in another format: .cmd or .fx to .cmd, .adm or .fx.
+    /// Write a model in another format: .cmd, .adm or .fx to another of them.
     Convert(Convert),
     /// Draw series of a results file, or a model, as SVG or PNG.
     Plot(Plot),
@@ -94,7 +94,7 @@ pub enum OnError {
 
 #[derive(Debug, Args)]
 pub struct Run {
-    /// Command files (.cmd, .mac) and models (.fx); `-` reads standard input.
+    /// Command files (.cmd, .mac) and models (.adm, .fx); `-` reads standard input.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -119,7 +119,7 @@ pub struct Run {
 
 #[derive(Debug, Args)]
 pub struct Simulate {
-    /// Model (.cmd, .fx).
+    /// Model (.cmd, .adm, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -191,7 +191,7 @@ pub struct BeamLoads {
 
 #[derive(Debug, Args)]
 pub struct Modes {
-    /// Model (.cmd, .fx).
+    /// Model (.cmd, .adm, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -272,7 +272,7 @@ pub struct Fmt {
 
 #[derive(Debug, Args)]
 pub struct Verify {
-    /// Model (.cmd, .fx).
+    /// Model (.cmd, .adm, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -289,7 +289,7 @@ pub struct Verify {
 
 #[derive(Debug, Args)]
 pub struct Convert {
-    /// Model (.cmd, .fx).
+    /// Model (.cmd, .adm, .fx).
     pub input: PathBuf,
     /// .cmd, .adm or .fx.
     pub output: PathBuf,
@@ -299,7 +299,7 @@ pub struct Convert {
 
 #[derive(Debug, Args)]
 pub struct Plot {
-    /// Results (.csv, .parquet) or a model (.cmd, .fx).
+    /// Results (.csv, .parquet) or a model (.cmd, .adm, .fx).
     pub input: PathBuf,
     /// Picture: FILE.svg or FILE.png.
     #[arg(short, long, value_name = "FILE")]
@@ -397,7 +397,7 @@ pub struct Diff {
 
 #[derive(Debug, Args)]
 pub struct Shell {
-    /// Model (.cmd, .fx); a .fx file is saved with every command and made if it is missing.
+    /// Model (.cmd, .adm, .fx); a .fx file is saved with every command and made if it is missing.
     pub model: Option<PathBuf>,
     /// Save every command in FILE.fx from now on.
     #[arg(long, value_name = "FILE.fx")]

@@ -71,13 +71,11 @@ impl Lines {
         let mut first = true;
         loop {
             let room = WIDTH.saturating_sub(start.chars().count());
-            if rest.chars().count() <= room {
+            if rest.chars().nth(room).is_none() {
                 self.lines.push(format!("{start}{rest}"));
                 return;
             }
-            let cuts = cuts(rest);
-            let fits = |cut: &&usize| rest[..**cut].trim_end().chars().count() <= room;
-            let Some(&cut) = cuts.iter().rev().find(fits).or(if first { None } else { cuts.first() }) else {
+            let Some(cut) = cut(rest, room, !first) else {
                 if !first {
                     self.lines.push(format!("{start}{rest}"));
                     return;
@@ -107,29 +105,46 @@ impl Lines {
     }
 }
 
-/// Byte positions at which an expression may go on in the next line: behind commas and colons, and
-/// before operators. Never inside a number (`1E-3`) or `**`; never before a comma.
-fn cuts(text: &str) -> Vec<usize> {
-    let bytes = text.as_bytes();
-    let mut cuts = Vec::new();
-    for at in 1..bytes.len() {
-        let (before, here) = (bytes[at - 1], bytes[at]);
-        let cut = match here {
-            b'+' | b'-' => operand_ends(bytes, at) && !in_exponent(bytes, at),
-            b'*' => before != b'*' && operand_ends(bytes, at),
-            b'/' => operand_ends(bytes, at),
-            b',' | b' ' => false,
-            _ => {
-                before == b','
-                    || before == b':'
-                    || (before == b' ' && matches!(bytes.get(at.wrapping_sub(2)), Some(b',' | b':')))
+/// The last place within so many characters at which an expression may go on in the next line; if
+/// there is none, and `beyond` says so, the first one behind them.
+fn cut(text: &str, room: usize, beyond: bool) -> Option<usize> {
+    let mut last = None;
+    let mut width = 1;
+    for at in 1..text.len() {
+        if !text.is_char_boundary(at) {
+            continue;
+        }
+        if may_go_on(text.as_bytes(), at) {
+            if text[..at].trim_end().chars().count() <= room {
+                last = Some(at);
+            } else {
+                return last.or(Some(at).filter(|_| beyond));
             }
-        };
-        if cut && text.is_char_boundary(at) {
-            cuts.push(at);
+        }
+        width += 1;
+        // A blank at the edge is not written.
+        if width > room + 2 && (last.is_some() || !beyond) {
+            return last;
         }
     }
-    cuts
+    last
+}
+
+/// Whether an expression may go on in the next line from a position: behind commas and colons, and
+/// before operators. Never inside a number (`1E-3`) or `**`; never before a comma.
+fn may_go_on(bytes: &[u8], at: usize) -> bool {
+    let (before, here) = (bytes[at - 1], bytes[at]);
+    match here {
+        b'+' | b'-' => operand_ends(bytes, at) && !in_exponent(bytes, at),
+        b'*' => before != b'*' && operand_ends(bytes, at),
+        b'/' => operand_ends(bytes, at),
+        b',' | b' ' => false,
+        _ => {
+            before == b','
+                || before == b':'
+                || (before == b' ' && matches!(bytes.get(at.wrapping_sub(2)), Some(b',' | b':')))
+        }
+    }
 }
 
 /// Whether what stands before an operator (blanks apart) is an operand.

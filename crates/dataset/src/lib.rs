@@ -11,6 +11,7 @@ mod layout;
 mod number;
 mod read;
 mod statements;
+mod unit_words;
 mod write;
 
 pub use ids::number_objects;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use model::{Database, ObjectId};
-use schema::{Dimension, UnitName, UnitSystem};
+use schema::{UnitName, UnitSystem};
 use text::Diagnostic;
 
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
     layout::{Lines, banner, centred},
     number::number,
     read::{END_OF_MODEL_COMMENTS, NOT_WRITTEN, TITLE},
-    statements,
+    statements, unit_words,
 };
 
 /// Mass of a part in model units: where it follows from the shapes of the part, only the caller
@@ -82,11 +82,13 @@ pub fn write(database: &mut Database, model: ObjectId, options: Options<'_>) -> 
 
 /// Sections after the parts: banner and statements in the order exports write them.
 const SECTIONS: &[(&str, &[&str])] = &[
-    ("CONSTRAINTS", &["JOINT", "JPRIM", "COUPLER", "MOTION"]),
-    ("FORCES", &["BEAM", "BUSHING", "SFORCE", "SPRINGDAMPER", "VFORCE", "VTORQUE", "GFORCE"]),
-    ("EQUATIONS", &["DIFF"]),
-    ("HIGHER PAIR CONTACTS", &["PTCV"]),
+    ("CONSTRAINTS", &["JOINT", "JPRIM", "COUPLER", "GEAR", "GCON", "MOTION"]),
+    ("FORCES", &["BEAM", "BUSHING", "FIELD", "SFORCE", "SPRINGDAMPER", "VFORCE", "VTORQUE", "GFORCE", "NFORCE"]),
+    ("DATA STRUCTURES", &["SPLINE", "MATRIX", "VARIABLE", "ARRAY", "CURVE", "STRING"]),
+    ("EQUATIONS", &["DIFF", "LSE", "TFSISO", "GSE"]),
+    ("HIGHER PAIR CONTACTS", &["PTCV", "CVCV"]),
     ("OUTPUT", &["REQUEST"]),
+    ("EXECUTION CONTROL", &["SENSOR"]),
 ];
 const SETTINGS: &[&str] = &["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"];
 
@@ -143,7 +145,7 @@ impl Writer<'_> {
         for (keyword, unit) in
             [("FORCE", units.force), ("MASS", units.mass), ("LENGTH", units.length), ("TIME", units.time)]
         {
-            if let Some(word) = solver_unit(unit.name) {
+            if let Some(word) = unit_words::solver_unit(unit.name) {
                 lines.argument(keyword, word);
             } else {
                 let message = format!("a dataset has no word for the unit `{}`", unit.name);
@@ -234,6 +236,14 @@ impl Writer<'_> {
             self.banner("GRAVITATIONAL ACCELERATION");
             let lines = statements::gravity(self, last);
             self.lines.push("!".to_string());
+            let comments = statements::texts(self.database, last, "comments");
+            self.lines.extend(comments.iter().map(|c| comment(c)));
+            // Exports do not name what has the usual name.
+            let name = self.name_in_section(last);
+            let inactive = self.database.text(last, "active").is_some_and(|word| word == "off");
+            if inactive || name != statements::GRAVITY {
+                self.lines.push(centred(&format!("adams_view_name='{name}'")));
+            }
             self.commented(last, lines.finish());
         }
     }
@@ -284,6 +294,9 @@ impl Writer<'_> {
         let comments = statements::texts(self.database, id, "comments");
         self.lines.extend(comments.iter().map(|c| comment(c)));
         self.lines.push(centred(&format!("adams_view_name='{name}'")));
+        if let Some(units) = self.database.text(id, "units").filter(|units| !units.is_empty()) {
+            self.lines.push(centred(&format!("adams_view_units='{units}'")));
+        }
         self.commented(id, lines.finish());
     }
 
@@ -389,64 +402,4 @@ impl Writer<'_> {
 fn comment(text: &str) -> String {
     let blank = if text.starts_with(NOT_WRITTEN.trim_start()) { "" } else { " " };
     format!("!{blank}{}", text.replace(['\n', '\r'], " "))
-}
-
-/// Units and the words of a dataset for them.
-const UNIT_WORDS: &[(&str, &str)] = &[
-    ("newton", "NEWTON"),
-    ("knewton", "KNEWTON"),
-    ("dyne", "DYNE"),
-    ("pound_force", "POUND_FORCE"),
-    ("kpound_force", "KPOUND_FORCE"),
-    ("kg_force", "KILOGRAM_FORCE"),
-    ("ounce_force", "OUNCE_FORCE"),
-    ("millinewton", "MILLINEWTON"),
-    ("centinewton", "CENTINEWTON"),
-    ("poundal", "POUNDAL"),
-    ("kg", "KILOGRAM"),
-    ("gram", "GRAM"),
-    ("pound_mass", "POUND_MASS"),
-    ("kpound_mass", "KPOUND_MASS"),
-    ("slug", "SLUG"),
-    ("slinch", "SLINCH"),
-    ("ounce_mass", "OUNCE_MASS"),
-    ("tonne", "TONNE"),
-    ("milligram", "MILLIGRAM"),
-    ("microgram", "MICROGRAM"),
-    ("mm", "MILLIMETER"),
-    ("cm", "CENTIMETER"),
-    ("meter", "METER"),
-    ("km", "KILOMETER"),
-    ("micrometer", "MICROMETER"),
-    ("nanometer", "NANOMETER"),
-    ("inch", "INCH"),
-    ("foot", "FOOT"),
-    ("yard", "YARD"),
-    ("mile", "MILE"),
-    ("mils", "MILS"),
-    ("microinch", "MICROINCH"),
-    ("second", "SECOND"),
-    ("millisecond", "MILLISECOND"),
-    ("microsecond", "MICROSECOND"),
-    ("nanosecond", "NANOSECOND"),
-    ("minute", "MINUTE"),
-    ("hour", "HOUR"),
-    ("day", "DAY"),
-];
-
-/// The word of a dataset for a unit.
-fn solver_unit(name: &str) -> Option<&'static str> {
-    UNIT_WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
-}
-
-/// The unit that a word of a dataset means.
-pub(crate) fn unit_of_word(word: &str) -> Option<&'static str> {
-    let found = UNIT_WORDS.iter().find(|(_, solver)| solver.eq_ignore_ascii_case(word));
-    found.map(|(name, _)| *name).or_else(|| word.eq_ignore_ascii_case("MEGAGRAM").then_some("tonne"))
-}
-
-/// The words of a dataset for the units of a dimension.
-pub(crate) fn words_of_units(dimension: Dimension) -> Vec<&'static str> {
-    let fits = |name: &str| UnitName::find(name).is_some_and(|unit| unit.dimension == dimension);
-    UNIT_WORDS.iter().filter(|(name, _)| fits(name)).map(|(_, solver)| *solver).collect()
 }

@@ -131,6 +131,7 @@ BEAM/1
 !
 !------------------------- GRAVITATIONAL ACCELERATION --------------------------
 !
+!                              adams_view_name='g'
 ACCGRAV/
 , JGRAV = -9806.65
 !

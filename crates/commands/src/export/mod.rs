@@ -183,6 +183,7 @@ impl Writer<'_> {
                 self.line("! ****** Ground Part ******");
                 self.line("!");
                 self.command("defaults model", &[("part_name".into(), "ground".into())]);
+                self.ground_comments(id);
             } else {
                 if let Some(ground) = ground {
                     self.default_frame(ground);
@@ -236,6 +237,19 @@ impl Writer<'_> {
             }
             for group in object.class.groups.iter().filter(|g| is_attributes(g)) {
                 self.set(id, group);
+            }
+        }
+    }
+
+    /// No command makes the ground, so that another one says what is kept with it.
+    fn ground_comments(&mut self, ground: ObjectId) {
+        let class = self.database.object(ground).class;
+        for group in class.groups.iter().filter(|g| g.fields.iter().any(|f| f.name == "comments")) {
+            let mut values = self.arguments(ground, group, Phase::Create);
+            values.retain(|(name, _)| name == "comments");
+            if !values.is_empty() {
+                values.insert(0, (group.object.to_string(), self.name(ground)));
+                self.command("part modify rigid_body name_and_position", &values);
             }
         }
     }

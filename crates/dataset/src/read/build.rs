@@ -4,16 +4,15 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use model::{Array, Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
-use schema::{Default, Dimension, Field, Kind, Registry, UnitName, UnitSystem};
+use schema::{Default, Field, Kind, Registry};
 use text::{Diagnostic, FileId, Span, suggest};
 
 use super::{
-    Entry, Loaded, Naming, Statements,
-    arguments::{Argument, Statement},
-    entry, functions,
+    Entry, Loaded, Naming, Statements, entry,
+    statement::{Argument, Statement},
     values::{self, Number},
 };
-use crate::{statements, write};
+use crate::statements;
 
 /// Makes the objects of a model.
 pub(crate) struct Builder<'a> {
@@ -21,7 +20,7 @@ pub(crate) struct Builder<'a> {
     pub registry: &'a Registry,
     pub text: &'a str,
     pub model: ObjectId,
-    file: FileId,
+    pub(super) file: FileId,
     /// Objects by statement and number.
     pub(super) numbers: HashMap<(&'static str, i64), ObjectId>,
     /// Objects that are not read, with a warning: what refers to them gets one too.
@@ -29,8 +28,8 @@ pub(crate) struct Builder<'a> {
     /// How often a name that is taken was asked for.
     pub(super) taken: HashMap<(ObjectId, String), usize>,
     /// The units of the dataset with degrees, and with radians.
-    degrees: UnitsId,
-    radians: UnitsId,
+    pub(super) degrees: UnitsId,
+    pub(super) radians: UnitsId,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -93,79 +92,13 @@ fn is_name(name: &str) -> bool {
     !name.is_empty() && name.len() <= 200 && !name.contains(['.', '"', ':', '#', '\t'])
 }
 
-impl<'a> Builder<'a> {
+impl Builder<'_> {
     pub fn span(&self, range: &Range<usize>) -> Span {
         Span::new(self.file, range.start, range.end)
     }
 
     pub fn report(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);
-    }
-
-    /// Puts the units of the dataset in force.
-    fn units(&mut self, all: &[Statement], old: UnitSystem) {
-        let mut units = old;
-        units.angle = UnitName::find("degrees").unwrap_or(units.angle);
-        let mut given = all.iter().filter(|s| s.name == "UNITS" && !s.inactive);
-        if let Some(statement) = given.next() {
-            for argument in &statement.arguments {
-                self.unit(argument, &mut units);
-            }
-        } else {
-            let missing = format!(
-                "the dataset has no UNITS: values are taken in {}, {}, {} and {}",
-                units.length.name, units.mass.name, units.force.name, units.time.name
-            );
-            let at = Span::new(self.file, 0, 0);
-            let help = "add UNITS, or give the units with the command that reads it";
-            self.report(Diagnostic::warning("dataset/no-units", missing).at(at, "not told").help(help));
-        }
-        for again in given {
-            let second = Diagnostic::error("dataset/second-units", "there is a second UNITS");
-            self.report(second.at(again.head, "left out").help("remove one of them"));
-        }
-        self.database.set_units(UnitSystem { angle: UnitName::find("radians").unwrap_or(units.angle), ..units });
-        self.radians = self.database.settings().units;
-        self.database.set_units(units);
-        self.degrees = self.database.settings().units;
-    }
-
-    fn unit(&mut self, argument: &Argument, units: &mut UnitSystem) {
-        let value = argument.value(self.text);
-        let wanted = match argument.keyword.as_str() {
-            "FORCE" => Dimension::FORCE,
-            "MASS" => Dimension::MASS,
-            "LENGTH" => Dimension::LENGTH,
-            "TIME" => Dimension::TIME,
-            "UCF" => {
-                if let Some(factor) = self.list(argument).and_then(|list| list.first().map(|(n, _)| n.value)) {
-                    units.consistency_factor = Some(factor);
-                }
-                return;
-            }
-            "SYSTEM" => {
-                let system = match value.to_ascii_uppercase().as_str() {
-                    "CGS" => UnitSystem::named("cm", "gram", "second", "dyne", "degrees"),
-                    "FPS" => UnitSystem::named("foot", "slug", "second", "pound_force", "degrees"),
-                    "IPS" => UnitSystem::named("inch", "pound_mass", "second", "pound_force", "degrees"),
-                    "MKS" => UnitSystem::named("meter", "kg", "second", "newton", "degrees"),
-                    _ => return self.unknown_word(argument, &value, &["CGS", "FPS", "IPS", "MKS"]),
-                };
-                if let Ok(system) = system {
-                    *units = system;
-                }
-                return;
-            }
-            _ => return,
-        };
-        let named = write::unit_of_word(&value).and_then(UnitName::find).filter(|unit| unit.dimension == wanted);
-        match named {
-            Some(unit) if wanted == Dimension::FORCE => units.force = unit,
-            Some(unit) if wanted == Dimension::MASS => units.mass = unit,
-            Some(unit) if wanted == Dimension::LENGTH => units.length = unit,
-            Some(unit) => units.time = unit,
-            None => self.unknown_word(argument, &value, &write::words_of_units(wanted)),
-        }
     }
 
     // ---- troubles ----
@@ -381,106 +314,6 @@ impl<'a> Builder<'a> {
         statements
     }
 
-    /// Stores a word that the field accepts, in full or as a beginning.
-    pub fn set_word(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
-        let Kind::Choice(words) = field.kind else { return };
-        let typed = argument.value(self.text);
-        let mut chosen = Vec::new();
-        for word in typed.split(':').map(|word| values::unquoted(word).to_ascii_lowercase()) {
-            let exact = words.iter().find(|known| **known == word);
-            let mut begins = words.iter().filter(|known| !word.is_empty() && known.starts_with(word.as_str()));
-            let only = match (begins.next(), begins.next()) {
-                (Some(one), None) => Some(one),
-                _ => None,
-            };
-            let Some(known) = exact.or(only) else {
-                let capitals: Vec<_> = words.iter().map(|w| w.to_ascii_uppercase()).collect();
-                return self.unknown_word(argument, &word, &capitals.iter().map(String::as_str).collect::<Vec<_>>());
-            };
-            chosen.push((*known).to_string());
-        }
-        let value = match chosen.as_slice() {
-            [one] if field.count.most == 1 => Value::Text(one.clone()),
-            _ => Value::Texts(chosen),
-        };
-        self.store(entry.id, field.name, value);
-    }
-
-    /// Stores a text, or texts between commas.
-    pub fn set_text(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
-        let value = if field.count.most > 1 {
-            let items = argument.items(self.text);
-            Value::Texts(items.into_iter().map(|(item, _)| values::unquoted(item).to_string()).collect())
-        } else {
-            Value::Text(values::unquoted(&argument.value(self.text)).to_string())
-        };
-        self.store(entry.id, field.name, value);
-    }
-
-    /// Stores an expression, or the constants of a subroutine.
-    pub fn set_function(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument) {
-        let text = argument.value(self.text);
-        if let Some(constants) = user_call(&text)
-            && entry.class.cell_index("user_function").is_some()
-        {
-            let mut values = Vec::new();
-            for item in constants.split(',').map(str::trim).filter(|item| !item.is_empty()) {
-                match values::parse(item) {
-                    Some(n) => values.push(if n.degrees { n.value.to_radians() } else { n.value }),
-                    None => return self.report(values::no_number(item, "USER", argument.span)),
-                }
-            }
-            return self.store(entry.id, "user_function", Value::Array(Array::column(values)));
-        }
-        if entry.class.cell_index(name).is_none() {
-            let message = format!("`{}` of {} is not `USER(...)`", argument.keyword, entry.name());
-            return self.report(
-                Diagnostic::error("dataset/function", message)
-                    .at(argument.span, "a subroutine was expected")
-                    .help("give components by their own functions"),
-            );
-        }
-        let numbers = &self.numbers;
-        let (function, missing) =
-            functions::bind(&text, |statement, number| numbers.get(&(statement, number)).copied());
-        for one in missing {
-            let at = argument.source_of(self.text, one.at.start);
-            let at = self.span(&(at..at + one.at.len()));
-            let (statement, number) = (one.statement, one.number);
-            if self.left_out.contains(&(statement, number)) {
-                let message =
-                    format!("a function of {} refers to {statement}/{number}, which is not read", entry.name());
-                let unread = Diagnostic::warning("dataset/refers-to-unread", message);
-                self.report(unread.at(at, "stays a number"));
-                continue;
-            }
-            let message = format!("a function of {} refers to {statement}/{number}, which is not there", entry.name());
-            let unknown = Diagnostic::error("dataset/unknown-id", message);
-            self.report(unknown.at(at, format!("there is no {statement}/{number}")));
-        }
-        self.store(entry.id, name, Value::Function(function));
-    }
-
-    /// Reads an argument by the table of the class.
-    pub fn regular(&mut self, entry: &mut Entry<'a>, field: &'static Field) {
-        let Some(keyword) = field.keyword else { return };
-        if let Kind::Boolean(..) = field.kind {
-            let given = entry.flag(keyword);
-            if given || field.default != Default::None {
-                self.store(entry.id, field.name, Value::Flag(given));
-            }
-            return;
-        }
-        let Some(argument) = entry.take(keyword) else { return };
-        match field.kind {
-            Kind::Function => self.set_function(entry, field.name, argument),
-            Kind::Object(..) => self.set_objects(entry, field, argument),
-            Kind::Choice(_) => self.set_word(entry, field, argument),
-            Kind::Text | Kind::File => self.set_text(entry, field, argument),
-            _ => self.set_numbers(entry, field.name, argument),
-        }
-    }
-
     /// What a new object has where nothing is given.
     pub fn defaults(&mut self, entry: &Entry<'_>) {
         let zero = statements::zero_if_left_out(entry.statement.name);
@@ -529,14 +362,4 @@ impl<'a> Builder<'a> {
         }
         statement.id
     }
-}
-
-/// What stands in `USER(...)`, if that is all.
-fn user_call(text: &str) -> Option<&str> {
-    let head = text.get(..4)?;
-    if !head.eq_ignore_ascii_case("USER") {
-        return None;
-    }
-    let inner = text[4..].trim_start().strip_prefix('(')?.trim_end().strip_suffix(')')?;
-    (!inner.contains(['(', ')'])).then_some(inner)
 }

@@ -3,7 +3,7 @@
 use model::ObjectId;
 use schema::Class;
 
-use super::arguments::{Argument, Statement};
+use super::statement::{Argument, Statement};
 use super::vocabulary::Form;
 
 pub(crate) struct Entry<'a> {

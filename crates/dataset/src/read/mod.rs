@@ -4,10 +4,13 @@
 
 mod arguments;
 mod build;
+mod cells;
 mod entry;
 mod functions;
 mod lines;
 mod objects;
+mod statement;
+mod units;
 mod values;
 mod vocabulary;
 
@@ -15,10 +18,10 @@ use model::{Database, ObjectId};
 use schema::Registry;
 use text::{Diagnostic, FileId};
 
-pub use arguments::{Argument, Statement};
 pub(crate) use build::Builder;
 pub(crate) use entry::Entry;
 pub(crate) use lines::{END_OF_MODEL_COMMENTS, NOT_WRITTEN};
+pub use statement::{Argument, Statement};
 pub(crate) use values::unquoted;
 pub(crate) use vocabulary::{Form, Word};
 

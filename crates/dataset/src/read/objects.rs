@@ -5,7 +5,7 @@ use model::{ObjectId, Value};
 use schema::Class;
 use text::Diagnostic;
 
-use super::{Builder, Entry, arguments::Statement, entry};
+use super::{Builder, Entry, entry, statement::Statement};
 use crate::statements::{self, Chosen};
 
 /// What is made before what: a marker needs its body, a shape its marker.
@@ -101,7 +101,13 @@ impl<'a> Builder<'a> {
                 let fallback = || self.registry.classes.iter().copied().find(|c| c.statement == Some(statement.name));
                 class.or_else(fallback)
             }
+            // A word that is not known was meant to be the kind; that has been said.
+            Chosen::OneOf(_) if statement.arguments.iter().any(|a| !a.known) => {
+                self.leave_out(statement);
+                None
+            }
             Chosen::OneOf(kinds) => {
+                self.leave_out(statement);
                 let message = format!("{} does not say what kind it is", entry::name(statement));
                 let unknown = Diagnostic::error("dataset/no-kind", message).at(statement.head, "left out");
                 self.report(unknown.help(format!("it is one of {}", kinds.join(", "))));
@@ -204,7 +210,8 @@ impl<'a> Builder<'a> {
         let Some(name) = &statement.view_name else {
             let number = statement.id.map(|n| n.to_string()).unwrap_or_default();
             let prefix = if class.prefix.is_empty() { format!("{}_", class.id) } else { class.prefix.to_string() };
-            let name = if class.id == "gravity" { "gravity".to_string() } else { format!("{prefix}{number}") };
+            let name =
+                if class.id == "gravity" { statements::GRAVITY.to_string() } else { format!("{prefix}{number}") };
             return (parent, name);
         };
         let name = name.replace('"', "_");

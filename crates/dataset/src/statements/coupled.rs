@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Fails for each cell that is set and that the statement has no known word for.
-fn refuse(w: &mut Writer<'_>, id: ObjectId, cells: &[&str]) {
+pub(super) fn refuse(w: &mut Writer<'_>, id: ObjectId, cells: &[&str]) {
     for cell in cells {
         let set = match w.database.value(id, cell) {
             None | Some(Value::Nothing | Value::Flag(false)) => false,
@@ -69,6 +69,12 @@ pub(super) fn point_curve(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         reference(w, id, cell, keyword, lines);
     }
     refuse(w, id, &["displacement_ic", "velocity_ic", "ic_ref_marker_name"]);
+}
+
+pub(super) fn curve_curve(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    super::regular::arguments(w, id, lines);
+    refuse(w, id, &["i_displacement_ic", "j_displacement_ic", "i_velocity_ic", "j_velocity_ic"]);
+    refuse(w, id, &["i_ic_ref_marker_name", "j_ic_ref_marker_name"]);
 }
 
 pub(super) fn contact(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {

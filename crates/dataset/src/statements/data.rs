@@ -1,10 +1,147 @@
-//! FIELD and the data elements whose words do not follow from the schema alone: ARRAY, MATRIX, CURVE,
-//! SPLINE, SENSOR.
+//! FIELD, GSE, SENSOR and the data elements whose words do not follow from the schema alone: ARRAY,
+//! MATRIX, CURVE, SPLINE.
 
-use model::{Array, Value};
+use model::{Array, ObjectId, Value};
 
-use super::Chosen;
-use crate::read::{Builder, Entry, Form, Statement, Word};
+use super::{Chosen, coupled::refuse, function_text, number_field, numbers, regular, user_function};
+use crate::{
+    layout::Lines,
+    number,
+    read::{Builder, Entry, Form, Statement, Word},
+    write::Writer,
+};
+
+/// `, FUNCTION = USER(...)` and its routine, for classes without another function.
+fn subroutine(w: &Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let Some(call) = user_function(w, id) else { return };
+    lines.function("FUNCTION", &call);
+    if let Some(routine) = w.database.text(id, "routine").filter(|r| !r.is_empty()) {
+        lines.end_function();
+        lines.argument("ROUTINE", routine);
+    }
+}
+
+/// The values of two cells of three as one argument of six, unless all are zero.
+fn six(w: &Writer<'_>, id: ObjectId, keyword: &str, cells: [&str; 2], lines: &mut Lines) {
+    let class = w.database.object(id).class;
+    let values = cells.map(|cell| {
+        let field = class.cell_index(cell).map(|index| class.field(index));
+        field.and_then(|field| numbers(w, id, field)).unwrap_or_else(|| vec!["0".to_string(); 3])
+    });
+    let values = values.concat();
+    if values.iter().any(|x| x != "0" && x != "0D") {
+        lines.list(keyword, &values);
+    }
+}
+
+pub(super) fn field(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    regular::without(w, id, &["ROUTINE"], lines);
+    six(w, id, "LENGTH", ["translation_at_preload", "rotation_at_preload"], lines);
+    six(w, id, "FORCE", ["force_preload", "torque_preload"], lines);
+    subroutine(w, id, lines);
+}
+
+pub(super) fn general_equation(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    regular::without(w, id, &["ROUTINE", "INTERFACE"], lines);
+    refuse(w, id, &["user_sample_period", "sample_routine", "sample_offset", "discrete", "implicit", "statics_only"]);
+    refuse(w, id, &["df_dx_method", "df_du_method", "dg_dx_method", "dg_du_method"]);
+    subroutine(w, id, lines);
+    let routines = super::texts(w.database, id, "interface_routines");
+    if !routines.is_empty() {
+        if user_function(w, id).is_some() && w.database.text(id, "routine").is_none_or(str::is_empty) {
+            lines.end_function();
+        }
+        lines.list("INTERFACE", &routines);
+    }
+}
+
+pub(super) fn array(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    let class = w.database.object(id).class.id;
+    if let Some((word, _)) = ARRAYS.iter().find(|(_, kind)| *kind == class) {
+        lines.flag(word);
+    }
+    regular::arguments(w, id, lines);
+}
+
+pub(super) fn matrix(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    match w.database.object(id).class.id {
+        "matrix_full" => {
+            let rows = w.database.text(id, "input_order") == Some("by_row");
+            lines.argument("FULL", if rows { "RORDER" } else { "CORDER" });
+            refuse(w, id, &["result_set_component_names"]);
+        }
+        "matrix_sparse" => {
+            lines.flag("SPARSE");
+            let columns = ["row_index", "column_index", "values"].map(|cell| w.database.numbers(id, cell));
+            let [Some(rows), Some(columns), Some(values)] = columns else { return };
+            let written = |x: &f64| number(*x, w.options.digits);
+            let entries = rows.iter().zip(&columns).zip(&values).map(|((r, c), v)| [r, c, v].map(written));
+            lines.list("ENTRIES", &entries.flatten().collect::<Vec<_>>());
+            return;
+        }
+        _ => {}
+    }
+    regular::arguments(w, id, lines);
+}
+
+pub(super) fn curve(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    if w.database.flag(id, "closed") != Some(true) {
+        lines.flag("OPEN");
+    }
+    regular::without(w, id, &["ROUTINE"], lines);
+    if w.database.text(id, "fit_type") == Some("curve_points") && w.database.reference(id, "matrix_name").is_some() {
+        lines.flag("CURVE_POINTS");
+    }
+    number_field(w, id, "interpolation_order", "ORDER", lines);
+    refuse(w, id, &["tension"]);
+    subroutine(w, id, lines);
+}
+
+pub(super) fn spline(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    refuse(w, id, &["x_result_set_component_name", "y_result_set_component_name", "z_result_set_component_name"]);
+    let second = w.database.numbers(id, "z").unwrap_or_default();
+    let rows = second.len();
+    if rows == 0 {
+        return regular::arguments(w, id, lines);
+    }
+    regular::without(w, id, &["Y", "LINEAR_EXTRAPOLATE"], lines);
+    let values = w.database.numbers(id, "y").unwrap_or_default();
+    let width = values.len() / rows;
+    if width * rows != values.len() || width == 0 {
+        let name = w.database.full_name(id);
+        w.fail("dataset/uneven-surface", format!("`{name}` has {} values for {rows} rows", values.len()));
+        return;
+    }
+    for (z, row) in second.iter().zip(values.chunks(width)) {
+        let row: Vec<_> = std::iter::once(z).chain(row).map(|x| number(*x, w.options.digits)).collect();
+        lines.list("Y", &row);
+    }
+    if w.database.flag(id, "linear_extrapolate") == Some(true) {
+        lines.flag("LINEAR_EXTRAPOLATE");
+    }
+}
+
+pub(super) fn sensor(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
+    for (keyword, plain, angular) in SENSOR_LIMITS {
+        let cell = if w.database.value(id, angular).is_some() { angular } else { plain };
+        number_field(w, id, cell, keyword, lines);
+    }
+    lines.flag(&w.database.text(id, "compare").unwrap_or("eq").to_ascii_uppercase());
+    refuse(w, id, &["bisection", "time_error", "user_evaluate", "evaluate_routine"]);
+    regular::without(w, id, &["VALUE", "ERROR", "FUNCTION", "ROUTINE", "EVALUATE"], lines);
+    super::function_or_user(w, id, lines);
+    let evaluate = function_text(w, id, "evaluate");
+    if !evaluate.is_empty() {
+        lines.end_function();
+        lines.function("EVALUATE", &evaluate);
+    }
+}
+
+/// Kinds of arrays: the word of the statement and the class.
+const ARRAYS: &[(&str, &str)] = &[("X", "array_x"), ("U", "array_u"), ("Y", "array_y"), ("IC", "array_ic")];
+/// Limits of a sensor: of a plain function, and of one that is an angle.
+const SENSOR_LIMITS: [(&str, &str, &str); 2] =
+    [("VALUE", "value", "angular_value"), ("ERROR", "error", "angular_error")];
 
 pub(super) const FIELD_WORDS: &[Word] =
     &[("LENGTH", Form::Value), ("FORCE", Form::Value), ("FUNCTION", Form::Function)];
@@ -42,9 +179,8 @@ pub(super) fn read_field<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     }
 }
 
-pub(super) fn array(statement: &Statement) -> Chosen {
-    let kinds = [("X", "array_x"), ("U", "array_u"), ("Y", "array_y"), ("IC", "array_ic")];
-    let found = kinds.iter().find(|(word, _)| statement.has(word));
+pub(super) fn array_kind(statement: &Statement) -> Chosen {
+    let found = ARRAYS.iter().find(|(word, _)| statement.has(word));
     Chosen::Class(found.map_or("array_general", |(_, class)| class))
 }
 
@@ -52,7 +188,7 @@ pub(super) fn read_array(e: &mut Entry<'_>) {
     e.one_of(&["X", "U", "Y", "IC"]);
 }
 
-pub(super) fn matrix(statement: &Statement) -> Chosen {
+pub(super) fn matrix_kind(statement: &Statement) -> Chosen {
     if statement.has("SPARSE") {
         Chosen::Class("matrix_sparse")
     } else if statement.argument("FULL").is_some() {
@@ -143,7 +279,7 @@ pub(super) fn read_sensor<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         b.store(e.id, "compare", Value::Text(word.to_ascii_lowercase()));
     }
     // A limit in degrees is one of an angle.
-    for (keyword, plain, angular) in [("VALUE", "value", "angular_value"), ("ERROR", "error", "angular_error")] {
+    for (keyword, plain, angular) in SENSOR_LIMITS {
         let Some(argument) = e.take(keyword) else { continue };
         let Some(list) = b.list(argument) else { continue };
         let cell = if list.iter().any(|(n, _)| n.degrees) { angular } else { plain };

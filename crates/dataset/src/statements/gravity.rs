@@ -9,6 +9,9 @@ use crate::{
     write::Writer,
 };
 
+/// What gravity is called unless told otherwise.
+pub(crate) const NAME: &str = "gravity";
+
 pub(crate) fn gravity(w: &Writer<'_>, id: ObjectId) -> Lines {
     let mut lines = Lines::new("ACCGRAV", None);
     for field in w.database.object(id).class.fields() {

@@ -14,7 +14,7 @@ mod settings;
 mod vector;
 
 pub(crate) use graphics::moves;
-pub(crate) use gravity::gravity;
+pub(crate) use gravity::{NAME as GRAVITY, gravity};
 pub(crate) use reading::{Chosen, REQUIRED, class_of, is_setting, read, required, words};
 pub(crate) use regular::zero_if_left_out;
 pub(crate) use settings::{read_setting, setting_words, settings};
@@ -40,6 +40,14 @@ pub(crate) fn statement(w: &mut Writer<'_>, id: ObjectId) -> Option<Lines> {
         "PTCV" => coupled::point_curve(w, id, &mut lines),
         "CONTACT" => coupled::contact(w, id, &mut lines),
         "DIFF" => coupled::differential_equation(w, id, &mut lines),
+        "FIELD" => data::field(w, id, &mut lines),
+        "ARRAY" => data::array(w, id, &mut lines),
+        "MATRIX" => data::matrix(w, id, &mut lines),
+        "CURVE" => data::curve(w, id, &mut lines),
+        "SPLINE" => data::spline(w, id, &mut lines),
+        "SENSOR" => data::sensor(w, id, &mut lines),
+        "GSE" => data::general_equation(w, id, &mut lines),
+        "CVCV" => coupled::curve_curve(w, id, &mut lines),
         "SPRINGDAMPER" => {
             let turns = class.id == "rotational_spring_damper";
             reference(w, id, "i_marker_name", "I", &mut lines);

@@ -87,8 +87,8 @@ pub(crate) fn class_of(statement: &Statement) -> Chosen {
             Chosen::Class(if turns { "rotational_spring_damper" } else { "translational_spring_damper" })
         }
         "GRAPHICS" => graphics::kind(statement),
-        "ARRAY" => data::array(statement),
-        "MATRIX" => data::matrix(statement),
+        "ARRAY" => data::array_kind(statement),
+        "MATRIX" => data::matrix_kind(statement),
         "REQUEST" => Chosen::Class("request"),
         _ => Chosen::Class(""),
     }

@@ -3,7 +3,7 @@
 use model::{ObjectId, Value};
 use schema::{Default, Field, Kind};
 
-use super::{function_or_user, numbers, reference};
+use super::{function_or_user, function_text, numbers, reference, texts};
 use crate::{layout::Lines, write::Writer};
 
 /// Arguments in the order exports write them, where that is not the order of the fields.
@@ -39,12 +39,17 @@ pub(super) fn arguments(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     chosen(w, id, lines, |_| true);
 }
 
+/// Appends the arguments of an object but for some.
+pub(super) fn without(w: &mut Writer<'_>, id: ObjectId, keywords: &[&str], lines: &mut Lines) {
+    chosen(w, id, lines, |field| !field.keyword.is_some_and(|keyword| keywords.contains(&keyword)));
+}
+
 /// Appends the arguments of an object but for its markers.
 pub(super) fn without_ends(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     chosen(w, id, lines, |field| !matches!(field.keyword, Some("I" | "J")));
 }
 
-fn chosen(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines, wanted: fn(&Field) -> bool) {
+fn chosen(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines, wanted: impl Fn(&Field) -> bool) {
     let class = w.database.object(id).class;
     let mut fields: Vec<&Field> = class.fields().filter(|f| f.keyword.is_some() && wanted(f)).collect();
     fields.dedup_by_key(|f| f.name);
@@ -61,7 +66,14 @@ fn argument(w: &mut Writer<'_>, id: ObjectId, field: &Field, lines: &mut Lines) 
     match field.kind {
         // The routine is written with the function it belongs to.
         Kind::Text if keyword == "ROUTINE" => {}
-        Kind::Function => function_or_user(w, id, lines),
+        Kind::Function if field.name == "function" => function_or_user(w, id, lines),
+        Kind::Function => {
+            let text = function_text(w, id, field.name);
+            if !text.is_empty() {
+                lines.function(keyword, &text);
+                lines.end_function();
+            }
+        }
         Kind::Object(..) => match w.database.value(id, field.name).map(Value::objects) {
             Some(objects) if objects.len() > 1 => {
                 let ids: Vec<_> = objects.iter().map(|o| w.id_of(id, *o)).collect();
@@ -80,8 +92,9 @@ fn argument(w: &mut Writer<'_>, id: ObjectId, field: &Field, lines: &mut Lines) 
             }
         }
         Kind::Text | Kind::File => {
-            if let Some(text) = w.database.text(id, field.name).filter(|t| !t.is_empty()) {
-                lines.argument(keyword, text);
+            let words = texts(w.database, id, field.name);
+            if words.iter().any(|text| !text.is_empty()) {
+                lines.list(keyword, &words);
             }
         }
         Kind::Real | Kind::Integer | Kind::Location | Kind::Orientation | Kind::Any => {

@@ -1,0 +1,63 @@
+//! The words of datasets for units.
+
+use schema::{Dimension, UnitName};
+
+/// Units and the words of a dataset for them.
+const UNIT_WORDS: &[(&str, &str)] = &[
+    ("newton", "NEWTON"),
+    ("knewton", "KNEWTON"),
+    ("dyne", "DYNE"),
+    ("pound_force", "POUND_FORCE"),
+    ("kpound_force", "KPOUND_FORCE"),
+    ("kg_force", "KILOGRAM_FORCE"),
+    ("ounce_force", "OUNCE_FORCE"),
+    ("millinewton", "MILLINEWTON"),
+    ("centinewton", "CENTINEWTON"),
+    ("poundal", "POUNDAL"),
+    ("kg", "KILOGRAM"),
+    ("gram", "GRAM"),
+    ("pound_mass", "POUND_MASS"),
+    ("kpound_mass", "KPOUND_MASS"),
+    ("slug", "SLUG"),
+    ("slinch", "SLINCH"),
+    ("ounce_mass", "OUNCE_MASS"),
+    ("tonne", "TONNE"),
+    ("milligram", "MILLIGRAM"),
+    ("microgram", "MICROGRAM"),
+    ("mm", "MILLIMETER"),
+    ("cm", "CENTIMETER"),
+    ("meter", "METER"),
+    ("km", "KILOMETER"),
+    ("micrometer", "MICROMETER"),
+    ("nanometer", "NANOMETER"),
+    ("inch", "INCH"),
+    ("foot", "FOOT"),
+    ("yard", "YARD"),
+    ("mile", "MILE"),
+    ("mils", "MILS"),
+    ("microinch", "MICROINCH"),
+    ("second", "SECOND"),
+    ("millisecond", "MILLISECOND"),
+    ("microsecond", "MICROSECOND"),
+    ("nanosecond", "NANOSECOND"),
+    ("minute", "MINUTE"),
+    ("hour", "HOUR"),
+    ("day", "DAY"),
+];
+
+/// The word of a dataset for a unit.
+pub(crate) fn solver_unit(name: &str) -> Option<&'static str> {
+    UNIT_WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
+}
+
+/// The unit that a word of a dataset means.
+pub(crate) fn unit_of_word(word: &str) -> Option<&'static str> {
+    let found = UNIT_WORDS.iter().find(|(_, solver)| solver.eq_ignore_ascii_case(word));
+    found.map(|(name, _)| *name).or_else(|| word.eq_ignore_ascii_case("MEGAGRAM").then_some("tonne"))
+}
+
+/// The words of a dataset for the units of a dimension.
+pub(crate) fn words_of_units(dimension: Dimension) -> Vec<&'static str> {
+    let fits = |name: &str| UnitName::find(name).is_some_and(|unit| unit.dimension == dimension);
+    UNIT_WORDS.iter().filter(|(name, _)| fits(name)).map(|(_, solver)| *solver).collect()
+}

@@ -1,0 +1,144 @@
+//! What is wrong with a dataset is named with its place and its mending, and the rest is read.
+
+use super::{Desk, quiet};
+
+/// A ground with two markers, and whatever follows.
+const HEAD: &str = "Adams View model name: m\nUNITS/\n, LENGTH = METER\nPART/1\n, GROUND\nMARKER/1\n, PART = 1\nMARKER/2\n, PART = 1\nPART/2\n, MASS = 1\nMARKER/3\n, PART = 2\n";
+
+/// Codes with the text they underline, in order, and what is said with the first one.
+fn troubles(text: &str) -> (Vec<(&'static str, String)>, String) {
+    let desk = Desk::new();
+    let path = desk.put("m.adm", &format!("{HEAD}{text}"));
+    let mut session = quiet();
+    let report = session.read(&path);
+    let sources = session.sources();
+    let found = report.diagnostics.iter().map(|d| {
+        let under = d.primary.as_ref().map(|label| sources.slice(label.span).to_string());
+        (d.code, under.unwrap_or_default())
+    });
+    let found: Vec<_> = found.collect();
+    // The part and its marker are there whatever else is wrong.
+    assert!(session.database().find(".m.PART_2.MARKER_3", "marker").is_some(), "{text}");
+    let first = report.diagnostics.first().map(|d| {
+        let helps = d.helps.iter().map(|help| help.text.as_str());
+        let labels = d.primary.iter().map(|label| label.text.as_str());
+        std::iter::once(d.message.as_str())
+            .chain(labels)
+            .chain(helps)
+            .chain(d.notes.iter().map(String::as_str))
+            .collect::<Vec<_>>()
+            .join(" | ")
+    });
+    (found, first.unwrap_or_default())
+}
+
+/// One trouble: its code, the text underlined, and something that is said of it.
+fn one(text: &str, code: &str, under: &str, says: &str) {
+    let (found, said) = troubles(&format!("{text}\nEND\n"));
+    assert_eq!(found, [(code_of(code), under.to_string())], "{text}");
+    assert!(said.contains(says), "{text}: {said}");
+}
+
+fn code_of(code: &str) -> &'static str {
+    Box::leak(code.to_string().into_boxed_str())
+}
+
+#[test]
+fn every_trouble_is_named_where_it_is() {
+    one("BEM/1, I=3, J=1", "dataset/unknown-statement", "BEM", "did you mean `BEAM`?");
+    one("MA/4, PART = 1", "dataset/ambiguous-statement", "MA", "`MARKER`");
+    one("hello world", "dataset/not-a-statement", "hello world", "a name and a slash");
+    one("MARKER/4, PART = 1, LOCATON = 1", "dataset/unknown-argument", "LOCATON", "MARKER has no argument `LOCATON`");
+    one("JOINT/1, REVOLUTE, I=3, J=1, PICH = 2", "dataset/unknown-argument", "PICH", "did you mean `PITCH`?");
+    one("JOINT/1, REVOLTE, I=3, J=1", "dataset/unknown-argument", "REVOLTE", "did you mean `REVOLUTE`?");
+    one("JOINT/1, I=3, J=1", "dataset/no-kind", "JOINT/1", "REVOLUTE");
+    one("MARKER/4, PART = 1, V = 1", "dataset/ambiguous-argument", "V", "`VELOCITY`");
+    one("MARKER/4, PART = 9", "dataset/unknown-id", "9", "there is no PART/9");
+    one("MARKER/4, PART = x", "dataset/reference", "x", "a number was expected");
+    one("MARKER/4, QP = 1, 2, 3", "dataset/missing-argument", "MARKER/4", "`PART` is missing");
+    one("MARKER/, PART = 1", "dataset/no-id", "MARKER/", "MARKER/1");
+    one("MARKER/99999999999, PART = 1", "dataset/id", "99999999999", "2147483647");
+    one("MARKER/2, PART = 1", "dataset/duplicate-id", "MARKER/2", ".m.ground.MARKER_2");
+    one("MARKER/4, PART = 1, QP = 1, 2", "dataset/count", "QP = 1, 2", "takes 3 values, not 2");
+    one("MARKER/4, PART = 1, QP = 1, 2, 3D4", "dataset/number", "3D4", "write `3E4`");
+    one("MARKER/4, PART = 1, QP = 1, 2, z", "dataset/number", "z", "a number was expected");
+    one("MARKER/4, PART = 1, ZP = 0, 0, 0", "dataset/no-direction", "ZP = 0, 0, 0", "no direction");
+    one("MARKER/4, PART = 1, QP = 1,0,0, QP = 2,0,0", "dataset/repeated-argument", "QP", "this one counts");
+    one("MARKER/4, PART = 1, VM = 2", "dataset/argument-not-read", "VM = 2", "no place for it");
+    one("MARKER/4, FLEX_BODY = 1", "dataset/statement-not-read", "FLEX_BODY = 1", "flexible");
+    one("FE_PART/1, TYPE = 3DBEAM", "dataset/statement-not-read", "FE_PART", "is not read");
+    one("GRAPHICS/1, TORUS, CM = 1", "dataset/shape-not-read", "GRAPHICS/1", "`TORUS`");
+    one("GRAPHICS/1, CIRCLE, RADIUS = 1", "dataset/missing-argument", "GRAPHICS/1", "marker");
+    one("PART/3, GROUND", "dataset/second-ground", "PART/3", "one ground");
+    one("UNITS/MASS=GRAM", "dataset/second-units", "UNITS/", "second");
+    one("VFORCE/1, I=3, JFLOAT=1, RM=1, FX=1", "dataset/wrong-kind", "1", "MARKER/1 is a marker");
+    one(
+        "BEAM/1,I=3,J=1,LENGTH=1,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1,FORMULATION=STRNG",
+        "dataset/unknown-word",
+        "STRNG",
+        "did you mean `STRING`?",
+    );
+    one(
+        "BEAM/1,I=3,J=1,LENGTH=-2,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1",
+        "dataset/outside",
+        "-2",
+        "greater than 0",
+    );
+    one(
+        "BEAM/1,I=3,J=1,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1",
+        "dataset/missing-argument",
+        "BEAM/1",
+        "LENGTH",
+    );
+    one("SFORCE/1, ROTATION, I=3, J=1, FUNCTION = 2*AZ(3,\n, 12)", "dataset/unknown-id", "12", "there is no MARKER/12");
+    one(
+        "GFORCE/1, I=3, JFLOAT=4, RM=1, FUNCTION = 3\nMARKER/4, PART=1, FLOATING",
+        "dataset/function",
+        "FUNCTION = 3",
+        "USER",
+    );
+    one(
+        "!  adams_view_name='off'\n!JOINT/1, REVOLUTE, I=77, J=1\nMARKER/4, PART=1",
+        "dataset/inactive-not-read",
+        "JOINT/1",
+        "behind comment marks",
+    );
+    one(
+        "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
+        "dataset/name-taken",
+        "MARKER/5",
+        "X_2",
+    );
+}
+
+#[test]
+fn what_is_missing_from_the_file_is_named() {
+    let codes = |text: &str| -> Vec<&'static str> {
+        let desk = Desk::new();
+        let mut session = quiet();
+        session.read(&desk.put("m.adm", text)).diagnostics.iter().map(|d| d.code).collect()
+    };
+    assert_eq!(codes("t\nUNITS/\nPART/1, GROUND\n"), ["dataset/missing-end"]);
+    assert_eq!(codes("t\nPART/1, GROUND\nEND\n"), ["dataset/no-units"]);
+    assert_eq!(codes("t\nUNITS/\nPART/2, MASS=1\nEND\n"), ["dataset/no-ground"]);
+    assert_eq!(codes("t\n, A = 1\nEND\n"), ["dataset/stray-continuation", "dataset/empty"]);
+    assert_eq!(codes(""), ["dataset/missing-end", "dataset/empty"]);
+    assert_eq!(codes("t\nUNITS/\n!  adams_view_name='world'\nPART/1, GROUND\nEND\n"), ["dataset/ground-name"]);
+    assert_eq!(codes("t\nUNITS/LENGTH=METRE\nPART/1, GROUND\nEND\n"), ["dataset/unknown-word"]);
+    assert_eq!(
+        codes("t\nUNITS/\nPART/1, GROUND\nGRAPHICS/1, PLANE, RM = 1\nCONTACT/1, IGEOM=1, JGEOM=1, IMPACT\nEND\n"),
+        ["dataset/shape-not-read", "dataset/refers-to-unread", "dataset/refers-to-unread"]
+    );
+}
+
+/// What a broken dataset leaves can be looked at; the report says that it is not whole.
+#[test]
+fn a_broken_statement_leaves_the_rest() {
+    let desk = Desk::new();
+    let mut session = quiet();
+    let report = session.read(&desk.put("m.adm", &format!("{HEAD}JOINT/1, REVOLUTE, I=3, J=88\nEND\n")));
+    assert!(report.has_errors());
+    assert_eq!(session.objects("marker").len(), 3);
+    assert!(session.undo());
+    assert_eq!(session.model(), None);
+}
