@@ -353,7 +353,9 @@ impl Builder<'_> {
 
     /// The number of a statement, which an object needs.
     pub fn number_of(&mut self, statement: &Statement) -> Option<i64> {
-        if statement.id.is_none() {
+        // A number that is out of range has been named as that.
+        let given = self.text[statement.head.range()].ends_with(|c: char| c.is_ascii_digit());
+        if statement.id.is_none() && !given {
             let message = format!("{} has no number", entry::name(statement));
             let missing = Diagnostic::error("dataset/no-id", message);
             self.report(

@@ -32,83 +32,83 @@ fn troubles(text: &str) -> (Vec<(&'static str, String)>, String) {
     (found, first.unwrap_or_default())
 }
 
-/// One trouble: its code, the text underlined, and something that is said of it.
-fn one(text: &str, code: &str, under: &str, says: &str) {
-    let (found, said) = troubles(&format!("{text}\nEND\n"));
-    assert_eq!(found, [(code_of(code), under.to_string())], "{text}");
-    assert!(said.contains(says), "{text}: {said}");
-}
+/// A statement behind [`HEAD`], the one trouble that is named, the text underlined, and something that
+/// is said of it.
+type Case = (&'static str, &'static str, &'static str, &'static str);
 
-fn code_of(code: &str) -> &'static str {
-    Box::leak(code.to_string().into_boxed_str())
-}
-
-#[test]
-fn every_trouble_is_named_where_it_is() {
-    one("BEM/1, I=3, J=1", "dataset/unknown-statement", "BEM", "did you mean `BEAM`?");
-    one("MA/4, PART = 1", "dataset/ambiguous-statement", "MA", "`MARKER`");
-    one("hello world", "dataset/not-a-statement", "hello world", "a name and a slash");
-    one("MARKER/4, PART = 1, LOCATON = 1", "dataset/unknown-argument", "LOCATON", "MARKER has no argument `LOCATON`");
-    one("JOINT/1, REVOLUTE, I=3, J=1, PICH = 2", "dataset/unknown-argument", "PICH", "did you mean `PITCH`?");
-    one("JOINT/1, REVOLTE, I=3, J=1", "dataset/unknown-argument", "REVOLTE", "did you mean `REVOLUTE`?");
-    one("JOINT/1, I=3, J=1", "dataset/no-kind", "JOINT/1", "REVOLUTE");
-    one("MARKER/4, PART = 1, V = 1", "dataset/ambiguous-argument", "V", "`VELOCITY`");
-    one("MARKER/4, PART = 9", "dataset/unknown-id", "9", "there is no PART/9");
-    one("MARKER/4, PART = x", "dataset/reference", "x", "a number was expected");
-    one("MARKER/4, QP = 1, 2, 3", "dataset/missing-argument", "MARKER/4", "`PART` is missing");
-    one("MARKER/, PART = 1", "dataset/no-id", "MARKER/", "MARKER/1");
-    one("MARKER/99999999999, PART = 1", "dataset/id", "99999999999", "2147483647");
-    one("MARKER/2, PART = 1", "dataset/duplicate-id", "MARKER/2", ".m.ground.MARKER_2");
-    one("MARKER/4, PART = 1, QP = 1, 2", "dataset/count", "QP = 1, 2", "takes 3 values, not 2");
-    one("MARKER/4, PART = 1, QP = 1, 2, 3D4", "dataset/number", "3D4", "write `3E4`");
-    one("MARKER/4, PART = 1, QP = 1, 2, z", "dataset/number", "z", "a number was expected");
-    one("MARKER/4, PART = 1, ZP = 0, 0, 0", "dataset/no-direction", "ZP = 0, 0, 0", "no direction");
-    one("MARKER/4, PART = 1, QP = 1,0,0, QP = 2,0,0", "dataset/repeated-argument", "QP", "this one counts");
-    one("MARKER/4, PART = 1, VM = 2", "dataset/argument-not-read", "VM = 2", "no place for it");
-    one("MARKER/4, FLEX_BODY = 1", "dataset/statement-not-read", "FLEX_BODY = 1", "flexible");
-    one("FE_PART/1, TYPE = 3DBEAM", "dataset/statement-not-read", "FE_PART", "is not read");
-    one("GRAPHICS/1, TORUS, CM = 1", "dataset/shape-not-read", "GRAPHICS/1", "`TORUS`");
-    one("GRAPHICS/1, CIRCLE, RADIUS = 1", "dataset/missing-argument", "GRAPHICS/1", "marker");
-    one("PART/3, GROUND", "dataset/second-ground", "PART/3", "one ground");
-    one("UNITS/MASS=GRAM", "dataset/second-units", "UNITS/", "second");
-    one("VFORCE/1, I=3, JFLOAT=1, RM=1, FX=1", "dataset/wrong-kind", "1", "MARKER/1 is a marker");
-    one(
+const CASES: &[Case] = &[
+    ("BEM/1, I=3, J=1", "dataset/unknown-statement", "BEM", "did you mean `BEAM`?"),
+    ("MA/4, PART = 1", "dataset/ambiguous-statement", "MA", "`MARKER`"),
+    ("hello world", "dataset/not-a-statement", "hello world", "a name and a slash"),
+    ("MARKER/4, PART = 1, LOCATON = 1", "dataset/unknown-argument", "LOCATON", "MARKER has no argument `LOCATON`"),
+    ("JOINT/1, REVOLUTE, I=3, J=1, PICH = 2", "dataset/unknown-argument", "PICH", "did you mean `PITCH`?"),
+    ("JOINT/1, REVOLTE, I=3, J=1", "dataset/unknown-argument", "REVOLTE", "did you mean `REVOLUTE`?"),
+    ("JOINT/1, I=3, J=1", "dataset/no-kind", "JOINT/1", "REVOLUTE"),
+    ("MARKER/4, PART = 1, V = 1", "dataset/ambiguous-argument", "V", "`VELOCITY`"),
+    ("MARKER/4, PART = 9", "dataset/unknown-id", "9", "there is no PART/9"),
+    ("MARKER/4, PART = x", "dataset/reference", "x", "a number was expected"),
+    ("MARKER/4, QP = 1, 2, 3", "dataset/missing-argument", "MARKER/4", "`PART` is missing"),
+    ("MARKER/, PART = 1", "dataset/no-id", "MARKER/", "MARKER/1"),
+    ("MARKER/99999999999, PART = 1", "dataset/id", "99999999999", "2147483647"),
+    ("MARKER/2, PART = 1", "dataset/duplicate-id", "MARKER/2", ".m.ground.MARKER_2"),
+    ("MARKER/4, PART = 1, QP = 1, 2", "dataset/count", "QP = 1, 2", "takes 3 values, not 2"),
+    ("MARKER/4, PART = 1, QP = 1, 2, 3D4", "dataset/number", "3D4", "write `3E4`"),
+    ("MARKER/4, PART = 1, QP = 1, 2, z", "dataset/number", "z", "a number was expected"),
+    ("MARKER/4, PART = 1, ZP = 0, 0, 0", "dataset/no-direction", "ZP = 0, 0, 0", "no direction"),
+    ("MARKER/4, PART = 1, QP = 1,0,0, QP = 2,0,0", "dataset/repeated-argument", "QP", "this one counts"),
+    ("MARKER/4, PART = 1, VM = 2", "dataset/argument-not-read", "VM = 2", "no place for it"),
+    ("MARKER/4, FLEX_BODY = 1", "dataset/statement-not-read", "FLEX_BODY = 1", "flexible"),
+    ("FE_PART/1, TYPE = 3DBEAM", "dataset/statement-not-read", "FE_PART", "is not read"),
+    ("GRAPHICS/1, TORUS, CM = 1", "dataset/shape-not-read", "GRAPHICS/1", "`TORUS`"),
+    ("GRAPHICS/1, CIRCLE, RADIUS = 1", "dataset/missing-argument", "GRAPHICS/1", "marker"),
+    ("PART/3, GROUND", "dataset/second-ground", "PART/3", "one ground"),
+    ("UNITS/MASS=GRAM", "dataset/second-units", "UNITS/", "second"),
+    ("VFORCE/1, I=3, JFLOAT=1, RM=1, FX=1", "dataset/wrong-kind", "1", "MARKER/1 is a marker"),
+    (
         "BEAM/1,I=3,J=1,LENGTH=1,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1,FORMULATION=STRNG",
         "dataset/unknown-word",
         "STRNG",
         "did you mean `STRING`?",
-    );
-    one(
+    ),
+    (
         "BEAM/1,I=3,J=1,LENGTH=-2,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1",
         "dataset/outside",
         "-2",
         "greater than 0",
-    );
-    one(
-        "BEAM/1,I=3,J=1,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1",
-        "dataset/missing-argument",
-        "BEAM/1",
-        "LENGTH",
-    );
-    one("SFORCE/1, ROTATION, I=3, J=1, FUNCTION = 2*AZ(3,\n, 12)", "dataset/unknown-id", "12", "there is no MARKER/12");
-    one(
+    ),
+    ("BEAM/1,I=3,J=1,IXX=1,IYY=1,IZZ=1,AREA=1,EMODULUS=1,GMODULUS=1", "dataset/missing-argument", "BEAM/1", "LENGTH"),
+    ("SFORCE/1, ROTATION, I=3, J=1, FUNCTION = 2*AZ(3,\n, 12)", "dataset/unknown-id", "12", "there is no MARKER/12"),
+    (
         "GFORCE/1, I=3, JFLOAT=4, RM=1, FUNCTION = 3\nMARKER/4, PART=1, FLOATING",
         "dataset/function",
         "FUNCTION = 3",
         "USER",
-    );
-    one(
+    ),
+    (
         "!  adams_view_name='off'\n!JOINT/1, REVOLUTE, I=77, J=1\nMARKER/4, PART=1",
         "dataset/inactive-not-read",
         "JOINT/1",
         "behind comment marks",
-    );
-    one(
+    ),
+    (
         "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
         "dataset/name-taken",
         "MARKER/5",
         "X_2",
-    );
+    ),
+];
+
+#[test]
+fn every_trouble_is_named_where_it_is() {
+    let mut wrong = Vec::new();
+    for (text, code, under, says) in CASES {
+        let (found, said) = troubles(&format!("{text}\nEND\n"));
+        let expected = matches!(&found[..], [(c, u)] if c == code && u == under);
+        if !expected || !said.contains(says) {
+            wrong.push(format!("{text}: {found:?} {said}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]
