@@ -138,7 +138,8 @@ def _title(body: str) -> tuple[str, str]:
 def _formulas(body: str) -> str:
     """What browsers draw better: a dot that is a letter of its own, and alignment by attribute alone,
     which the style sheet turns into the words that each browser follows."""
-    body = body.replace('<mo accent="true">\u0307</mo>', '<mo accent="true">\u02d9</mo>')
+    dotted = r'<mover>(<mi[^>]*>[^<]*</mi>)<mo accent="true">\u0307</mo></mover>'
+    body = re.sub(dotted, '<mover accent="true">\\1<mo>\u02d9</mo></mover>', body)
     return re.sub(r' style="text-align: [^"]*"', "", body)
 
 
