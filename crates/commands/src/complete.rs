@@ -60,11 +60,10 @@ impl Interpreter {
     pub fn asks_for_help(&self, text: &str) -> bool {
         match situation(text) {
             Situation::Word(_) => true,
-            Situation::Value { quoted: true, .. } => false,
+            Situation::Value { quoted: true, .. } | Situation::Nowhere | Situation::Expression(_) => false,
             Situation::Value { place, parameter, .. } => {
                 place.start == text.len() || !self.may_hold_a_question_mark(&place, &parameter)
             }
-            Situation::Nowhere | Situation::Expression(_) => false,
         }
     }
 
