@@ -1,6 +1,8 @@
 //! The traps of beams, each with its sentence and its numbers; and that the fix of each leaves a model
 //! in which the trap is gone. Where a fix would have to guess there is none, and the finding says why.
 
+use std::fmt::Write;
+
 use elements::Finding;
 use flexure::Session;
 
@@ -336,7 +338,8 @@ fn a_long_chain_is_looked_at_too() {
     let mut chain = String::from("marker create marker_name=.m.ground.m0 location=0,0,0 orientation=0,0,0\n");
     for k in 1..=parts {
         let x = 10 * k;
-        chain += &format!(
+        let _ = write!(
+            chain,
             "part create rigid_body name_and_position part_name=.m.p{k} location={x},0,0 orientation=0,0,0\n\
              marker create marker_name=.m.p{k}.m{k} location=0,0,0 orientation=0,0,0 relative_to=.m.p{k}\n\
              part create rigid_body mass_properties part_name=.m.p{k} mass=0.0156 center_of_mass_marker=.m.p{k}.m{k} ixx=1 iyy=1 izz=1\n\

@@ -321,12 +321,9 @@ fn set_terms(terms: &[f64]) -> String {
 /// The full matrix by columns of the lower triangle r01 to r21 of note 11.
 fn full(terms: &[f64; 21]) -> Vec<f64> {
     let mut matrix = [[0.0; 6]; 6];
-    let mut next = terms.iter();
-    for column in 0..6 {
-        for row in column..6 {
-            let term = *next.next().unwrap();
-            (matrix[row][column], matrix[column][row]) = (term, term);
-        }
+    let places = (0..6).flat_map(|column| (column..6).map(move |row| (row, column)));
+    for ((row, column), term) in places.zip(terms) {
+        (matrix[row][column], matrix[column][row]) = (*term, *term);
     }
     matrix.concat()
 }

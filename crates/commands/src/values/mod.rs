@@ -196,7 +196,11 @@ impl Reader<'_> {
         let plural = if wanted == "1" { "" } else { "s" };
         Diagnostic::error("command/wrong-count", format!("`{}` wants {wanted} {noun}{plural}, not {found}", field.name))
             .at(argument.value_span, format!("{found} given"))
-            .help(format!("give {wanted} {noun}{plural}, separated by commas"))
+            .help(if wanted == "1" {
+                format!("give one {noun}")
+            } else {
+                format!("give {wanted} {noun}s, separated by commas")
+            })
             .adams(format!(
                 "{} values are required for '{}'.",
                 if field.symmetric.is_some() { field.count.least.to_string() } else { wanted },

@@ -149,6 +149,7 @@ impl Scene {
     }
 
     /// A session that has read an export. What only concerns the display is skipped.
+    #[allow(dead_code, reason = "the tests of the help page share this file")]
     pub fn of_export(text: &str) -> Scene {
         let mut scene = Scene::empty();
         let report = scene.session.execute(text);
