@@ -252,7 +252,8 @@ fn the_command_names_the_model_and_gives_units_where_the_file_has_none() {
     assert_eq!(session.database().units().length.name, "foot");
     assert!(session.attribute(".other", "title").is_some());
     // The same name a second time.
-    assert_eq!(session.execute(&command).failed, 1);
+    let again = session.execute(&command);
+    assert!(again.failed == 1 && again.diagnostics[0].code == "dataset/model-exists", "{:#?}", again.diagnostics);
     // Without a name in title or command, that of the file.
     session.read(&path);
     assert_eq!(session.model_name().as_deref(), Some("plain"));
