@@ -79,10 +79,8 @@ fn search(database: &Database, name: &str, wanted: &str) -> SmallVec<[ObjectId; 
     }
     let Some(model) = model else { return SmallVec::new() };
     let mut found = SmallVec::new();
-    for id in database.subtree(model) {
-        if id != model
-            && !database.object(id).children.is_empty()
-            && let Some(child) = database.descend(Some(id), &steps, wanted)
+    for (_, id) in database.holders_of_name(model, &steps[0]) {
+        if let Some(child) = database.descend(Some(id), &steps, wanted)
             && !found.contains(&child)
         {
             found.push(child);

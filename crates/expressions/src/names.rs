@@ -99,15 +99,11 @@ pub(crate) fn reach(database: &Database, steps: &Steps) -> Result<Reached, Unkno
 /// Every place below the children of a model where the steps of a short name begin, level by level:
 /// the first level that has any counts.
 fn below(database: &Database, model: ObjectId, names: &[String]) -> Vec<Reached> {
-    let mut level = database.object(model).children.clone();
-    while !level.is_empty() {
-        let found: Vec<_> = level.iter().filter_map(|&p| descend(database, Some(p), names, 0)).collect();
-        if !found.is_empty() {
-            return found;
-        }
-        level = level.iter().flat_map(|&p| database.object(p).children.iter().copied()).collect();
-    }
-    Vec::new()
+    let Some(first) = names.first() else { return Vec::new() };
+    let holders = database.holders_of_name(model, first);
+    let Some(&(nearest, _)) = holders.first() else { return Vec::new() };
+    let level = holders.into_iter().take_while(|(depth, _)| *depth == nearest);
+    level.filter_map(|(_, holder)| descend(database, Some(holder), names, 0)).collect()
 }
 
 /// The existing object a name means: full, partial or short.

@@ -6,14 +6,17 @@ mod beams;
 mod compare_models;
 mod engine;
 mod fixes;
+mod host;
 mod layout;
 mod modes;
 mod overdamped;
 mod persistence;
+mod recorder;
 mod run;
 mod session;
 mod settings;
 mod simulate;
+mod start;
 mod support;
 mod window;
 

@@ -9,7 +9,8 @@ use text::Diagnostic;
 
 use crate::run::RunObserver;
 use crate::settings::static_options;
-use crate::simulate::{failed, prepare};
+use crate::simulate::failed;
+use crate::start::prepare;
 
 /// The state that modes are about.
 #[derive(Clone, Debug, Default, PartialEq)]

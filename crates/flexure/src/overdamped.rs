@@ -10,7 +10,7 @@ use solver::{Dae, LowMode, lowest_modes};
 use text::Diagnostic;
 
 use crate::modes::at_rest;
-use crate::simulate::prepare;
+use crate::start::prepare;
 
 /// Vectors to iterate: six rigid motions and some more at first; many if a model falls apart.
 const VECTORS: [usize; 2] = [12, 60];

@@ -1,4 +1,4 @@
-//! The index of names: which objects below a parent have a name.
+//! The index of names: which objects have a name, below a parent or anywhere.
 
 use std::hash::Hasher;
 
@@ -11,50 +11,97 @@ use crate::{Object, ObjectId};
 /// Objects as the database keeps them, by handle.
 type Arena = [Option<Box<Object>>];
 
-/// Objects of different classes that share a parent and a name.
+/// Objects that share a name: those below one parent, or all.
 #[derive(Clone, Debug)]
 struct Namesakes {
-    /// Of the parent and the name.
+    /// Of the name, and of the parent where it counts.
     hash: u64,
     objects: SmallVec<[ObjectId; 2]>,
 }
 
-/// Objects by parent and name, ignoring case. The names themselves stay in the objects: an entry is
-/// found by its hash and compared with the name of the first object that it lists.
+/// Objects by name, ignoring case. The names themselves stay in the objects: an entry is found by
+/// its hash and compared with the name of the first object that it lists.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NameIndex {
-    entries: HashTable<Namesakes>,
+    below_parent: HashTable<Namesakes>,
+    anywhere: HashTable<Namesakes>,
 }
 
 impl NameIndex {
     /// Objects below a parent (or at the top) that have a name, in the order in which they got it.
     pub fn find(&self, arena: &Arena, parent: Option<ObjectId>, name: &str) -> &[ObjectId] {
-        let hash = hash(parent, name);
-        let found = self.entries.find(hash, |entry| entry.is(arena, hash, parent, name));
-        found.map_or(&[], |entry| entry.objects.as_slice())
+        objects(&self.below_parent, arena, Key::below(parent, name))
+    }
+
+    /// All objects that have a name, wherever they are.
+    pub fn find_anywhere(&self, arena: &Arena, name: &str) -> &[ObjectId] {
+        objects(&self.anywhere, arena, Key::anywhere(name))
     }
 
     /// Takes up an object under the name and parent that it has.
     pub fn insert(&mut self, arena: &Arena, id: ObjectId) {
         let Some((parent, name)) = name_of(arena, id) else { return };
-        let hash = hash(parent, name);
-        match self.entries.entry(hash, |entry| entry.is(arena, hash, parent, name), |entry| entry.hash) {
-            Entry::Occupied(mut entry) => entry.get_mut().objects.push(id),
-            Entry::Vacant(entry) => {
-                entry.insert(Namesakes { hash, objects: SmallVec::from_slice(&[id]) });
-            }
-        }
+        insert(&mut self.below_parent, arena, Key::below(parent, name), id);
+        insert(&mut self.anywhere, arena, Key::anywhere(name), id);
     }
 
     /// Drops an object that still has the name and parent under which it was taken up.
     pub fn remove(&mut self, arena: &Arena, id: ObjectId) {
         let Some((parent, name)) = name_of(arena, id) else { return };
-        let hash = hash(parent, name);
-        if let Ok(mut entry) = self.entries.find_entry(hash, |entry| entry.is(arena, hash, parent, name)) {
-            entry.get_mut().objects.retain(|other| *other != id);
-            if entry.get().objects.is_empty() {
-                entry.remove();
-            }
+        remove(&mut self.below_parent, arena, Key::below(parent, name), id);
+        remove(&mut self.anywhere, arena, Key::anywhere(name), id);
+    }
+}
+
+/// What an entry is looked up by.
+#[derive(Clone, Copy)]
+struct Key<'a> {
+    hash: u64,
+    /// Where the parent counts, which it is.
+    parent: Option<Option<ObjectId>>,
+    name: &'a str,
+}
+
+impl<'a> Key<'a> {
+    fn below(parent: Option<ObjectId>, name: &'a str) -> Key<'a> {
+        Key { hash: hash(parent, name), parent: Some(parent), name }
+    }
+
+    fn anywhere(name: &'a str) -> Key<'a> {
+        Key { hash: hash(None, name), parent: None, name }
+    }
+
+    fn fits(&self, arena: &Arena, entry: &Namesakes) -> bool {
+        let first = || entry.objects.first().and_then(|id| name_of(arena, *id));
+        let same = |(parent, name): (Option<ObjectId>, &str)| {
+            self.parent.is_none_or(|p| p == parent) && name.eq_ignore_ascii_case(self.name)
+        };
+        self.hash == entry.hash && first().is_some_and(same)
+    }
+}
+
+fn objects<'t>(table: &'t HashTable<Namesakes>, arena: &Arena, key: Key) -> &'t [ObjectId] {
+    table.find(key.hash, |entry| key.fits(arena, entry)).map_or(&[], |entry| entry.objects.as_slice())
+}
+
+fn insert(table: &mut HashTable<Namesakes>, arena: &Arena, key: Key, id: ObjectId) {
+    match table.entry(key.hash, |entry| key.fits(arena, entry), |entry| entry.hash) {
+        Entry::Occupied(mut entry) => entry.get_mut().objects.push(id),
+        Entry::Vacant(entry) => {
+            entry.insert(Namesakes { hash: key.hash, objects: SmallVec::from_slice(&[id]) });
+        }
+    }
+}
+
+fn remove(table: &mut HashTable<Namesakes>, arena: &Arena, key: Key, id: ObjectId) {
+    if let Ok(mut entry) = table.find_entry(key.hash, |entry| key.fits(arena, entry)) {
+        // Mostly the newest goes first.
+        let objects = &mut entry.get_mut().objects;
+        if let Some(place) = objects.iter().rposition(|other| *other == id) {
+            objects.remove(place);
+        }
+        if entry.get().objects.is_empty() {
+            entry.remove();
         }
     }
 }
@@ -62,13 +109,6 @@ impl NameIndex {
 fn name_of(arena: &Arena, id: ObjectId) -> Option<(Option<ObjectId>, &str)> {
     let object = arena.get(id.0 as usize)?.as_ref()?;
     Some((object.parent, &object.name))
-}
-
-impl Namesakes {
-    fn is(&self, arena: &Arena, hash: u64, parent: Option<ObjectId>, name: &str) -> bool {
-        let first = || self.objects.first().and_then(|id| name_of(arena, *id));
-        self.hash == hash && first().is_some_and(|(p, n)| p == parent && n.eq_ignore_ascii_case(name))
-    }
 }
 
 fn hash(parent: Option<ObjectId>, name: &str) -> u64 {

@@ -25,6 +25,22 @@ impl Database {
         self.names.find(&self.objects, parent, name)
     }
 
+    /// Objects below `root`, itself left out, that have a child with a name: with their depth below
+    /// it, nearest first, then in order of creation.
+    pub fn holders_of_name(&self, root: ObjectId, name: &str) -> Vec<(usize, ObjectId)> {
+        let parents = self.names.find_anywhere(&self.objects, name).iter().filter_map(|id| self.object(*id).parent);
+        let mut found: Vec<_> = parents.filter_map(|p| Some((self.depth_below(p, root)?, p))).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// How many steps below another an object is; none for that object and for one elsewhere.
+    fn depth_below(&self, id: ObjectId, root: ObjectId) -> Option<usize> {
+        let parent = |id: &ObjectId| self.object(*id).parent;
+        std::iter::successors(Some(id), parent).position(|id| id == root).filter(|depth| *depth > 0)
+    }
+
     /// A child of a parent with a name that is of the wanted class or family.
     pub fn child(&self, parent: Option<ObjectId>, name: &str, wanted: &str) -> Option<ObjectId> {
         self.children_named(parent, name).iter().copied().find(|&c| self.object(c).class.is(wanted))

@@ -90,3 +90,24 @@ fn a_name_finds_all_namesakes_whatever_the_case_and_follows_a_renaming() {
     assert_eq!(database.children_named(None, "ROD"), [part]);
     assert_eq!(database.create(&OTHER, Some(top), "link").map_err(|taken| taken.0), Err(beam));
 }
+
+#[test]
+fn holders_of_a_name_are_found_nearest_first_and_follow_every_change() {
+    let mut database = Database::default();
+    let [top, other] = ["top", "other"].map(|name| database.create(&BODY, None, name).unwrap());
+    let arm = database.create(&BODY, Some(top), "arm").unwrap();
+    let hand = database.create(&BODY, Some(arm), "hand").unwrap();
+    for parent in [hand, arm, top, other] {
+        database.create(&OTHER, Some(parent), "Tip").unwrap();
+    }
+    // A child of the root itself is not below it, and what is elsewhere is none of its business.
+    assert_eq!(database.holders_of_name(top, "TIP"), [(1, arm), (2, hand)]);
+    let mark = database.mark();
+    let tip = database.child(Some(hand), "tip", "beam").unwrap();
+    database.rename(tip, Some(arm), "nail").unwrap();
+    assert_eq!(database.holders_of_name(top, "tip"), [(1, arm)]);
+    assert_eq!(database.holders_of_name(top, "nail"), [(1, arm)]);
+    database.roll_back(mark);
+    assert_eq!(database.holders_of_name(top, "tip"), [(1, arm), (2, hand)]);
+    assert!(database.holders_of_name(top, "nail").is_empty());
+}
