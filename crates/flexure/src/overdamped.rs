@@ -25,8 +25,8 @@ pub(crate) fn find(database: &Database, model: ObjectId) -> Option<Finding> {
     let (beam, _) = *damped.iter().max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
     let name = database.full_name(beam);
     match lowest(database, model)? {
-        Lowest::Mode(mode) if mode.damping_ratio >= 1.0 => Some(overdamped(database, &damped, &name, mode)),
-        Lowest::Mode(_) => None,
+        Lowest::Creeps(mode) => Some(overdamped(database, &damped, &name, mode)),
+        Lowest::Swings => None,
         Lowest::OnlyRigid => Some(Finding::new(
             Diagnostic::new(
                 text::Severity::Note,
@@ -39,9 +39,11 @@ pub(crate) fn find(database: &Database, model: ObjectId) -> Option<Finding> {
     }
 }
 
+/// How the lowest elastic modes move.
 enum Lowest {
-    /// The lowest elastic mode.
-    Mode(LowMode),
+    Swings,
+    /// None of them swings; the lowest.
+    Creeps(LowMode),
     OnlyRigid,
 }
 
@@ -51,9 +53,12 @@ fn lowest(database: &Database, model: ObjectId) -> Option<Lowest> {
     let (system, state) = (&mut prepared.lowered.system, &mut prepared.state);
     at_rest(system, state).ok()?;
     for vectors in VECTORS {
-        let modes = lowest_modes(system, state, vectors).ok()?;
-        if let Some(mode) = modes.into_iter().find(|m| m.frequency > 0.0) {
-            return Some(Lowest::Mode(mode));
+        // One motion that swings is enough: the lowest mode is below it and damped less.
+        let swings = |motion: &LowMode| motion.damping_ratio < 1.0;
+        let modes = lowest_modes(system, state, vectors, swings).ok()?;
+        let mut elastic = modes.into_iter().filter(|m| m.frequency > 0.0).peekable();
+        if let Some(&lowest) = elastic.peek() {
+            return Some(if elastic.any(|m| swings(&m)) { Lowest::Swings } else { Lowest::Creeps(lowest) });
         }
         if vectors >= system.velocities() {
             return None;

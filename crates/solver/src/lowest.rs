@@ -32,9 +32,18 @@ const LAST: usize = 30;
 /// lowest elastic one among them is converged, and so are those below it. Empty if all motions that
 /// were iterated are rigid: then more vectors are needed.
 ///
+/// The search ends early when `enough` says so of a motion it meets on the way. Such a motion is no
+/// mode yet, but the lowest elastic frequency is not above its frequency (Rayleigh's principle).
+///
 /// # Errors
 /// If the equations cannot be evaluated, or a motion has neither mass nor stiffness.
-pub fn lowest_modes(dae: &mut dyn Dae, state: &SystemState, vectors: usize) -> Result<Vec<LowMode>, Failure> {
+pub fn lowest_modes(
+    dae: &mut dyn Dae,
+    state: &SystemState,
+    vectors: usize,
+    enough: impl Fn(&LowMode) -> bool,
+) -> Result<Vec<LowMode>, Failure> {
+    let known = |modes: &[LowMode]| modes.iter().any(|mode| mode.frequency > 0.0 && enough(mode));
     let mut state = state.clone();
     state.fit(dae);
     let mut search = Search::new(dae, &state)?;
@@ -46,13 +55,17 @@ pub fn lowest_modes(dae: &mut dyn Dae, state: &SystemState, vectors: usize) -> R
     let mut last = f64::INFINITY;
     for _ in 0..SHIFTS {
         search.factor(shift)?;
-        let Some((lowest, _)) = search.settle(&mut basis, shift, ABOUT, ITERATIONS)? else { return Ok(Vec::new()) };
+        let found = search.settle(&mut basis, shift, (ABOUT, ITERATIONS), &known)?;
+        let Some((lowest, modes)) = found else { return Ok(Vec::new()) };
+        if known(&modes) {
+            return Ok(modes);
+        }
         if (lowest - last).abs() <= ABOUT * lowest {
             break;
         }
         (last, shift) = (lowest, lowest);
     }
-    Ok(search.settle(&mut basis, shift, SETTLED, LAST)?.map(|(_, found)| found).unwrap_or_default())
+    Ok(search.settle(&mut basis, shift, (SETTLED, LAST), &known)?.map(|(_, found)| found).unwrap_or_default())
 }
 
 /// Vectors and their products with the mass.
@@ -120,14 +133,14 @@ impl Search {
         Basis { vectors, images }
     }
 
-    /// Iterates until the lowest elastic frequency changes by less than a share of it; that frequency and
-    /// all modes. `None` if all are rigid.
+    /// Iterates until the lowest elastic frequency changes by less than a share of it, or enough is known;
+    /// that frequency and all modes. `None` if all are rigid.
     fn settle(
         &mut self,
         basis: &mut Basis,
         shift: f64,
-        share: f64,
-        most: usize,
+        (share, most): (f64, usize),
+        known: &dyn Fn(&[LowMode]) -> bool,
     ) -> Result<Option<(f64, Vec<LowMode>)>, Failure> {
         let mut lowest = f64::INFINITY;
         let mut found = Vec::new();
@@ -137,7 +150,7 @@ impl Search {
             let Some(now) = found.iter().find(|m| m.frequency > 0.0).map(|m| m.frequency) else { return Ok(None) };
             let settled = (now - lowest).abs() <= share * now;
             lowest = now;
-            if settled {
+            if settled || known(&found) {
                 break;
             }
         }
@@ -254,7 +267,7 @@ mod tests {
             let (mass, stiffness, damping) = (0.5, 800.0, 0.4);
             let mut chain = SpringChain::uniform(n, mass, stiffness, damping);
             let state = SystemState::at_rest(&chain, 0.0, vec![0.0; n]);
-            let found = lowest_modes(&mut chain, &state, 12).unwrap();
+            let found = lowest_modes(&mut chain, &state, 12, |_| false).unwrap();
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (4 * n + 2) as f64).sin();
             assert!((found[0].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[0].frequency);
             assert!((found[0].damping_ratio / (0.5 * damping / stiffness * w) - 1.0).abs() < 1e-6, "{n}");
@@ -262,7 +275,7 @@ mod tests {
                 continue;
             }
             chain.stiffness[0] = 0.0;
-            let found = lowest_modes(&mut chain, &state, 12).unwrap();
+            let found = lowest_modes(&mut chain, &state, 12, |_| false).unwrap();
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (2 * n) as f64).sin();
             assert_eq!(found[0].frequency, 0.0, "{n}");
             assert!((found[1].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[1].frequency);
@@ -275,7 +288,7 @@ mod tests {
         let mut pendulum = Pendulum { mass: 3.0, length: 0.5, gravity: 9.80665, scale: 1.0 };
         let mut state = SystemState::at_rest(&pendulum, 0.0, vec![0.0, -0.5]);
         crate::initial::accelerations(&mut pendulum, &mut state).unwrap();
-        let found = lowest_modes(&mut pendulum, &state, 12).unwrap();
+        let found = lowest_modes(&mut pendulum, &state, 12, |_| false).unwrap();
         assert_eq!(found.len(), 1);
         assert!((found[0].frequency / (9.80665f64 / 0.5).sqrt() - 1.0).abs() < 1e-9, "{found:?}");
     }
