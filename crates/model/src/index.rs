@@ -53,28 +53,39 @@ impl NameIndex {
     }
 }
 
+/// Where the objects of an entry are.
+#[derive(Clone, Copy)]
+enum Place {
+    Anywhere,
+    /// Below a parent, or at the top.
+    Below(Option<ObjectId>),
+}
+
 /// What an entry is looked up by.
 #[derive(Clone, Copy)]
 struct Key<'a> {
     hash: u64,
-    /// Where the parent counts, which it is.
-    parent: Option<Option<ObjectId>>,
+    place: Place,
     name: &'a str,
 }
 
 impl<'a> Key<'a> {
     fn below(parent: Option<ObjectId>, name: &'a str) -> Key<'a> {
-        Key { hash: hash(parent, name), parent: Some(parent), name }
+        Key { hash: hash(parent, name), place: Place::Below(parent), name }
     }
 
     fn anywhere(name: &'a str) -> Key<'a> {
-        Key { hash: hash(None, name), parent: None, name }
+        Key { hash: hash(None, name), place: Place::Anywhere, name }
     }
 
     fn fits(&self, arena: &Arena, entry: &Namesakes) -> bool {
         let first = || entry.objects.first().and_then(|id| name_of(arena, *id));
         let same = |(parent, name): (Option<ObjectId>, &str)| {
-            self.parent.is_none_or(|p| p == parent) && name.eq_ignore_ascii_case(self.name)
+            let here = match self.place {
+                Place::Anywhere => true,
+                Place::Below(wanted) => parent == wanted,
+            };
+            here && name.eq_ignore_ascii_case(self.name)
         };
         self.hash == entry.hash && first().is_some_and(same)
     }
