@@ -164,6 +164,11 @@ fn truncated_datasets_are_harmless() {
     (0..text.len()).step_by(5).for_each(|end| all_ways(&text[..end]));
 }
 
+/// Statements one behind another.
+fn many(count: usize, statement: impl Fn(usize) -> String) -> String {
+    (1..count).map(statement).collect::<Vec<_>>().concat()
+}
+
 /// Small texts that ask for much.
 #[test]
 fn greedy_datasets_are_harmless() {
@@ -177,8 +182,8 @@ fn greedy_datasets_are_harmless() {
         format!("VARIABLE/1, FUNCTION=1{}\n", ", IC".repeat(30_000)),
         format!("ARRAY/1, NUMBERS={}1\n", "1,".repeat(100_000)),
         "!  adams_view_name='x'\nMARKER/1,PART=1\n".repeat(10_000),
-        (1..10_000).map(|i| format!("!  adams_view_name='x'\nMARKER/{i},PART=1\n")).collect(),
-        (1..5_000).map(|i| format!("!  adams_view_name='x_{i}'\n!JOINT/{i},FIXED,I=1,J=2\n")).collect(),
+        many(10_000, |i| format!("!  adams_view_name='x'\nMARKER/{i},PART=1\n")),
+        many(5_000, |i| format!("!  adams_view_name='x_{i}'\n!JOINT/{i},FIXED,I=1,J=2\n")),
         "!\n".repeat(100_000) + &"! c\n".repeat(20_000),
         ",\n".repeat(50_000),
         "a/1;".repeat(20_000),
