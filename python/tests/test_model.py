@@ -91,6 +91,10 @@ def test_progress_can_stop_a_run(strip):
 def test_files_are_written(strip, tmp_path):
     strip.write(tmp_path / "strip.adm")
     assert "BEAM/" in (tmp_path / "strip.adm").read_text()
+    again = fx.read(tmp_path / "strip.adm")
+    # A dataset holds every digit, so the beam that is read is the beam that was written.
+    assert again.beams["beam_2"].youngs_modulus == strip.beams["beam_2"].youngs_modulus
+    assert again.beams["beam_2"].length == strip.beams["beam_2"].length
     strip.write(tmp_path / "strip.cmd")
     again = fx.read(tmp_path / "strip.cmd")
     assert list(again.beams) == list(strip.beams)
