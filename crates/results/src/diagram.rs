@@ -4,7 +4,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::plot::{Drawn, FONT, GRID, INK, PALETTE, embed_font, png, span, svg, tick};
+use crate::plot::{Drawn, FONT, GRID, INK, PALETTE, draw_legend, embed_font, png, span, svg, tick};
 use crate::{Format, PlotError};
 
 /// A curve in pieces; between pieces nothing is drawn.
@@ -126,15 +126,7 @@ fn draw_panel<B: DrawingBackend>(
     }
     chart.draw_series([PathElement::new([(x0, 0.0), (x1, 0.0)], INK.stroke_width(scale))])?;
     if panel.curves.len() > 1 {
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .legend_area_size(30 * scale)
-            .margin(6 * scale)
-            .background_style(WHITE.mix(0.85))
-            .border_style(GRID.stroke_width(scale))
-            .label_font((FONT, 13 * scale).into_font().color(&INK))
-            .draw()?;
+        draw_legend(&mut chart, scale)?;
     }
     Ok(())
 }

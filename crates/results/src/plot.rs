@@ -3,6 +3,7 @@
 use std::sync::Once;
 
 use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
@@ -266,17 +267,25 @@ fn draw_panel<B: DrawingBackend>(
         );
     }
     if panel.len() > 1 {
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .legend_area_size(30 * scale)
-            .margin(8 * scale)
-            .background_style(WHITE.mix(0.85))
-            .border_style(GRID.stroke_width(scale))
-            .label_font((FONT, 13 * scale).into_font().color(&INK))
-            .draw()?;
+        draw_legend(&mut chart, scale)?;
     }
     Ok(())
+}
+
+/// The names of what was drawn, in a corner of the chart.
+pub(crate) fn draw_legend<'a, B: DrawingBackend + 'a>(
+    chart: &mut ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
+    scale: u32,
+) -> Drawn<B::ErrorType> {
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .legend_area_size(30 * scale)
+        .margin(8 * scale)
+        .background_style(WHITE.mix(0.85))
+        .border_style(GRID.stroke_width(scale))
+        .label_font((FONT, 13 * scale).into_font().color(&INK))
+        .draw()
 }
 
 /// Range of finite values, widened by a fraction on both sides; never empty.
