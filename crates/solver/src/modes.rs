@@ -144,6 +144,12 @@ fn normalised(mut shape: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     shape
 }
 
+/// Shifts to try, as shares of about the highest frequency: below the highest frequencies, so that the
+/// low ones are seen sharply; not so far below that the inertia of rigid motions drowns in the rounding
+/// of the stiffness. Rarely the double shifts of the QR iteration go round in circles on one of these
+/// matrices; the next shift gives another matrix.
+const SHIFTS: [f64; 4] = [0.05, 0.04, 0.07, 0.1];
+
 struct Reduced {
     mass: Matrix,
     damping: Matrix,
@@ -159,10 +165,14 @@ impl Reduced {
         let f = self.mass.rows();
         let diagonal = |a: &Matrix| (0..f).map(|i| a[(i, i)].abs()).sum::<f64>();
         let (mass, stiffness) = (diagonal(&self.mass), diagonal(&self.stiffness));
-        // Below the highest frequencies, so that the low ones are seen sharply; not so far below
-        // that the inertia of rigid motions drowns in the rounding of the stiffness.
         let highest = (stiffness / mass).sqrt();
-        let shift = if highest.is_finite() && highest > 0.0 { 0.05 * highest } else { 1.0 };
+        let unit = if highest.is_finite() && highest > 0.0 { highest } else { 20.0 };
+        SHIFTS.iter().find_map(|share| self.eigenvalues_from(share * unit))
+    }
+
+    /// The same by the eigenvalues of the inverse of what is left of the equations at a shift.
+    fn eigenvalues_from(&self, shift: f64) -> Option<Vec<([f64; 2], Eigenvector)>> {
+        let f = self.mass.rows();
         let pencil = Matrix::from_fn(f, f, |i, j| {
             shift * (shift * self.mass[(i, j)] + self.damping[(i, j)]) + self.stiffness[(i, j)]
         });
