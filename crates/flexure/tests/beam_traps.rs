@@ -309,7 +309,7 @@ fn a_damping_ratio_that_stops_all_swinging() {
         "force modify element_like beam damping_ratio=0.02",
         "beam/overdamped",
         &[
-            "no mode of the model swings: `damping_ratio` of beam `.m.bar` is 0.02 second",
+            "no mode in which beam `.m.bar` takes part swings: the `damping_ratio` is 0.02 second",
             "rad/s without damping",
             "modal damping of 1 percent",
         ],
@@ -328,6 +328,74 @@ fn a_damping_ratio_that_stops_all_swinging() {
         &["comes from an expression"],
     );
     assert!(found(&session("force modify element_like beam damping_ratio=1.0E-5"), "beam/overdamped").is_none());
+}
+
+/// Only what the beams take is blamed on them: a damper beside a beam stops the swinging just as well.
+/// Truth: of the bar's lowest mode the ratio 1.0E-5 s takes 1.0E-5 w / 2, which is far below 1.
+#[test]
+fn damping_of_others_is_not_blamed_on_the_ratio() {
+    let damper = "force create element_like bushing bushing_name=.m.bush i_marker_name=.m.p.i \
+                  j_marker_name=.m.ground.k stiffness=0,0,0 tstiffness=0,0,0 damping=1e5,1e5,1e5 tdamping=1e9,1e9,1e9\n";
+    let damped = format!(
+        "marker create marker_name=.m.ground.k location=200,0,0 orientation=0,0,0\n{damper}\
+         force modify element_like beam beam_name=.m.bar damping_ratio="
+    );
+    let mut stopped = session(&format!("{damped}1.0E-5"));
+    let modes = stopped.modes(&flexure::ModesAbout::Present).unwrap().modes;
+    assert!(modes.iter().all(|m| m.imaginary == 0.0), "the damper lets nothing swing: {modes:?}");
+    assert!(found(&stopped, "beam/overdamped").is_none());
+    assert!(found(&session(&format!("{damped}0.02")), "beam/overdamped").is_some());
+}
+
+/// A beam that is switched off damps nothing.
+#[test]
+fn beams_that_are_switched_off_are_not_counted() {
+    let other = "force create element_like beam beam_name=.m.off i_marker_name=.m.p.i j_marker_name=.m.ground.j \
+                 length=200 area_of_cross_section=200 ixx=4577.5 iyy=6666.666666666667 izz=1666.6666666666667 \
+                 youngs_modulus=2.07E5 shear_modulus=8.0E4 damping_ratio=0.9\n\
+                 force attributes force_name=.m.off active=off\n";
+    assert!(found(&session(other), "beam/overdamped").is_none());
+    let both = session(&format!("{other}force modify element_like beam beam_name=.m.bar damping_ratio=0.02"));
+    let one = found(&both, "beam/overdamped").unwrap();
+    assert!(
+        text(&one).contains("beam `.m.bar` takes part swings: the `damping_ratio` is 0.02 second"),
+        "{}",
+        text(&one)
+    );
+}
+
+/// Softer motions that have nothing to do with the beam do not hide it: an undamped bushing, a pendulum,
+/// and another beam with a small ratio.
+#[test]
+fn softer_motions_do_not_hide_an_overdamped_beam() {
+    let part = "part create rigid_body name_and_position part_name=.m.s location=900,-100,0 orientation=0,0,0\n\
+                marker create marker_name=.m.s.cm location=0,0,0 orientation=0,0,0 relative_to=.m.s\n\
+                marker create marker_name=.m.s.top location=0,100,0 orientation=0,0,0 relative_to=.m.s\n\
+                part create rigid_body mass_properties part_name=.m.s mass=1 center_of_mass_marker=.m.s.cm \
+                ixx=100 iyy=100 izz=100\n\
+                marker create marker_name=.m.ground.at location=900,-100,0 orientation=0,0,0\n\
+                marker create marker_name=.m.ground.pin location=900,0,0 orientation=0,0,0\n\
+                marker create marker_name=.m.ground.far location=800,-100,0 orientation=0,0,0\n";
+    let bushing = "force create element_like bushing bushing_name=.m.bush i_marker_name=.m.s.cm j_marker_name=.m.ground.at \
+                   stiffness=0.1,0.2,0.3 tstiffness=0.4,0.5,0.6 damping=0,0,0 tdamping=0,0,0\n";
+    let pendulum = "constraint create joint revolute joint_name=.m.rev i_marker_name=.m.s.top j_marker_name=.m.ground.pin\n\
+                    force create body gravitational gravity_field_name=.m.g x_component_gravity=0 \
+                    y_component_gravity=-9806.65 z_component_gravity=0\n";
+    let beam = "force create element_like beam beam_name=.m.soft i_marker_name=.m.s.cm j_marker_name=.m.ground.far \
+                length=100 area_of_cross_section=1 ixx=0.1 iyy=0.08 izz=0.07 youngs_modulus=2000 shear_modulus=800 \
+                damping_ratio=1.0E-4\n";
+    for other in [bushing, pendulum, beam] {
+        let changes = format!("{part}{other}force modify element_like beam beam_name=.m.bar damping_ratio=");
+        let creeping = session(&format!("{changes}0.02"));
+        let one = found(&creeping, "beam/overdamped").unwrap_or_else(|| panic!("{other}"));
+        assert!(text(&one).contains("no mode in which beam `.m.bar` takes part"), "{}", text(&one));
+        assert!(!one.fix.as_deref().unwrap_or(".m.soft").contains(".m.soft"), "{:?}", one.fix);
+        let mut creeping = creeping;
+        let verified = creeping.verify();
+        assert_eq!(creeping.fix(&verified).failed, 0);
+        assert!(found(&creeping, "beam/overdamped").is_none());
+        assert!(found(&session(&format!("{changes}1.0E-6")), "beam/overdamped").is_none());
+    }
 }
 
 /// The same for a chain of many parts, whose high modes alone are overdamped, and for one of which all are.

@@ -7,20 +7,54 @@ use crate::linear::NewtonMatrix;
 use crate::{Dae, Failure, JacobianPoint, Reason, SystemState};
 
 /// An undamped mode.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LowMode {
     /// rad/s; 0 for a motion without stiffness.
     pub frequency: f64,
     /// `x C x / (2 w x M x)` of its shape: exact where damping is proportional to stiffness.
     pub damping_ratio: f64,
+    /// Increments of the velocities' unknowns, of one unit of `x M x`.
+    pub shape: Vec<f64>,
+}
+
+/// What a search thinks of an elastic motion that it meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// Not what is looked for.
+    Other,
+    /// The lowest of these is wanted.
+    Wanted,
+    /// Nothing more need be known.
+    Enough,
+}
+
+/// What a search found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The lowest wanted one is converged, and so are those below it; the others are about right. By
+    /// rising frequency.
+    pub modes: Vec<LowMode>,
+    /// Index of the lowest wanted one; none if none of the motions was.
+    pub lowest: Option<usize>,
+    /// Whether a motion was enough, which ended the search. It need not be a mode yet, but the lowest
+    /// elastic frequency is not above its frequency (Rayleigh's principle).
+    pub enough: bool,
 }
 
 /// Stiffness against mass of a rigid motion, as a share of the largest: what rounding leaves of zero.
 const RIGID: f64 = 1e-13;
-/// Relative change of the lowest elastic frequency at which the iteration ends.
+/// Relative change of the lowest wanted frequency at which the iteration ends.
 const SETTLED: f64 = 1e-9;
 /// The same while the shift is still far from that frequency.
 const ABOUT: f64 = 1e-2;
+/// Relative change below which a motion is taken for one that may be enough: it is no mixture of others
+/// any more.
+const UNMIXED: f64 = 0.05;
+/// What is left of a vector when the others are taken out of it, as a part of its size, below which it is
+/// rounding. Where the constraints leave fewer motions than there are vectors, the surplus ones are
+/// combinations of the others and what is left, about 1e-14, breaks the constraints. A motion of its
+/// own has less than this only if it is a hundred thousand times as fast as the slowest.
+const NOTHING: f64 = 1e-10;
 /// Most times the shift is moved to where the lowest frequency is.
 const SHIFTS: usize = 12;
 /// Most iterations with one shift: a good shift needs few, and a better one helps more than many.
@@ -32,40 +66,11 @@ const LAST: usize = 30;
 /// lowest elastic one among them is converged, and so are those below it. Empty if all motions that
 /// were iterated are rigid: then more vectors are needed.
 ///
-/// The search ends early when `enough` says so of a motion it meets on the way. Such a motion is no
-/// mode yet, but the lowest elastic frequency is not above its frequency (Rayleigh's principle).
-///
 /// # Errors
 /// If the equations cannot be evaluated, or a motion has neither mass nor stiffness.
-pub fn lowest_modes(
-    dae: &mut dyn Dae,
-    state: &SystemState,
-    vectors: usize,
-    enough: impl Fn(&LowMode) -> bool,
-) -> Result<Vec<LowMode>, Failure> {
-    let known = |modes: &[LowMode]| modes.iter().any(|mode| mode.frequency > 0.0 && enough(mode));
-    let mut state = state.clone();
-    state.fit(dae);
-    let mut search = Search::new(dae, &state)?;
-    let highest = search.highest;
-    // Low, because long structures are far below their highest frequency; not so low that rigid motions drown
-    // all others.
-    let mut shift = if highest > 0.0 && highest.is_finite() { 1e-5 * highest } else { 1.0 };
-    let mut basis = search.start(vectors.min(search.n));
-    let mut last = f64::INFINITY;
-    for _ in 0..SHIFTS {
-        search.factor(shift)?;
-        let found = search.settle(&mut basis, shift, (ABOUT, ITERATIONS), &known)?;
-        let Some((lowest, modes)) = found else { return Ok(Vec::new()) };
-        if known(&modes) {
-            return Ok(modes);
-        }
-        if (lowest - last).abs() <= ABOUT * lowest {
-            break;
-        }
-        (last, shift) = (lowest, lowest);
-    }
-    Ok(search.settle(&mut basis, shift, (SETTLED, LAST), &known)?.map(|(_, found)| found).unwrap_or_default())
+pub fn lowest_modes(dae: &mut dyn Dae, state: &SystemState, vectors: usize) -> Result<Vec<LowMode>, Failure> {
+    let found = LowestModes::new(dae, state)?.find(vectors, |_| Look::Wanted)?;
+    Ok(found.lowest.map(|_| found.modes).unwrap_or_default())
 }
 
 /// Vectors and their products with the mass.
@@ -74,7 +79,8 @@ struct Basis {
     images: Vec<Vec<f64>>,
 }
 
-struct Search {
+/// A search for the lowest modes about a state.
+pub struct LowestModes {
     n: usize,
     unknowns: usize,
     time: f64,
@@ -87,11 +93,17 @@ struct Search {
     highest: f64,
 }
 
-impl Search {
-    fn new(dae: &mut dyn Dae, state: &SystemState) -> Result<Search, Failure> {
+impl LowestModes {
+    /// Linearises about a state.
+    ///
+    /// # Errors
+    /// If the equations cannot be evaluated.
+    pub fn new(dae: &mut dyn Dae, state: &SystemState) -> Result<LowestModes, Failure> {
+        let mut state = state.clone();
+        state.fit(dae);
         let pattern = dae.pattern();
         let mut part = |mass: f64, damping: f64, stiffness: f64| -> Result<NewtonMatrix, Failure> {
-            let SystemState { t, q, v, a, lambda } = state;
+            let SystemState { t, q, v, a, lambda } = &state;
             let mut matrix = NewtonMatrix::new(&pattern);
             let at = JacobianPoint { t: *t, q, v, a, lambda, mass, damping, stiffness };
             matrix.assemble(dae, at).map_err(Failure::evaluation(*t))?;
@@ -102,9 +114,33 @@ impl Search {
         let n = dae.velocities();
         let unknowns = mass.unknowns();
         let mut search =
-            Search { n, unknowns, time: state.t, mass, damping, stiffness, shifted, pattern, highest: 0.0 };
+            LowestModes { n, unknowns, time: state.t, mass, damping, stiffness, shifted, pattern, highest: 0.0 };
         search.highest = search.estimate();
         Ok(search)
+    }
+
+    /// The lowest modes that `vectors` iterated vectors show, until the lowest of those that are wanted is
+    /// converged or a motion is enough.
+    ///
+    /// # Errors
+    /// If a motion has neither mass nor stiffness.
+    pub fn find(&mut self, vectors: usize, mut look: impl FnMut(&LowMode) -> Look) -> Result<Found, Failure> {
+        let highest = self.highest;
+        // Low, because long structures are far below their highest frequency; not so low that rigid motions drown
+        // all others.
+        let mut shift = if highest > 0.0 && highest.is_finite() { 1e-5 * highest } else { 1.0 };
+        let mut basis = self.start(vectors.min(self.n));
+        let mut last = f64::INFINITY;
+        for _ in 0..SHIFTS {
+            self.factor(shift)?;
+            let found = self.settle(&mut basis, shift, (ABOUT, ITERATIONS), &mut look)?;
+            let Some(lowest) = found.lowest_frequency().filter(|_| !found.enough) else { return Ok(found) };
+            if (lowest - last).abs() <= ABOUT * lowest {
+                break;
+            }
+            (last, shift) = (lowest, lowest);
+        }
+        self.settle(&mut basis, shift, (SETTLED, LAST), &mut look)
     }
 
     /// About the highest frequency, from the traces of the matrices.
@@ -133,28 +169,41 @@ impl Search {
         Basis { vectors, images }
     }
 
-    /// Iterates until the lowest elastic frequency changes by less than a share of it, or enough is known;
-    /// that frequency and all modes. `None` if all are rigid.
+    /// Iterates until the lowest wanted frequency changes by less than a share of it, or enough is known.
     fn settle(
         &mut self,
         basis: &mut Basis,
         shift: f64,
         (share, most): (f64, usize),
-        known: &dyn Fn(&[LowMode]) -> bool,
-    ) -> Result<Option<(f64, Vec<LowMode>)>, Failure> {
-        let mut lowest = f64::INFINITY;
-        let mut found = Vec::new();
+        look: &mut dyn FnMut(&LowMode) -> Look,
+    ) -> Result<Found, Failure> {
+        let mut last: Option<Found> = None;
         for _ in 0..most {
-            found = self.improve(basis, shift).ok_or_else(|| Failure::new(Reason::NoConvergence, self.time))?;
+            let modes = self.improve(basis, shift).ok_or_else(|| Failure::new(Reason::NoConvergence, self.time))?;
+            let mut now = Found { modes, lowest: None, enough: false };
+            let before = |at: usize| last.as_ref().and_then(|l| l.modes.get(at)).map_or(f64::INFINITY, |m| m.frequency);
+            for (at, mode) in now.modes.iter().enumerate().filter(|(_, mode)| mode.frequency > 0.0) {
+                match look(mode) {
+                    Look::Other => continue,
+                    Look::Wanted => {}
+                    Look::Enough => now.enough |= (mode.frequency - before(at)).abs() <= UNMIXED * mode.frequency,
+                }
+                now.lowest = now.lowest.or(Some(at));
+            }
             // A smaller shift shows nothing else of motions without stiffness.
-            let Some(now) = found.iter().find(|m| m.frequency > 0.0).map(|m| m.frequency) else { return Ok(None) };
-            let settled = (now - lowest).abs() <= share * now;
-            lowest = now;
-            if settled || known(&found) {
+            let rigid = now.modes.iter().all(|mode| mode.frequency == 0.0);
+            let frequency = now.lowest_frequency();
+            let settled = match (frequency, last.as_ref().and_then(Found::lowest_frequency)) {
+                (Some(now), Some(last)) => (now - last).abs() <= share * now,
+                _ => false,
+            };
+            let ends = rigid || settled || now.enough;
+            last = Some(now);
+            if ends {
                 break;
             }
         }
-        Ok(Some((lowest, found)))
+        last.ok_or_else(|| Failure::new(Reason::NoConvergence, self.time))
     }
 
     /// Factors `K + shift^2 M` with the constraints.
@@ -193,6 +242,7 @@ impl Search {
             // Unrefined: the next step corrects what this one leaves, and the modes are those of the matrices.
             self.shifted.solve(&mut y);
             y.truncate(self.n);
+            let before = dot(&self.times(&self.mass, &y), &y);
             // Orthonormal in the mass; twice, so that nothing of the others is left.
             for _ in 0..2 {
                 for (vector, image) in new.vectors.iter().zip(&new.images) {
@@ -202,7 +252,7 @@ impl Search {
             }
             let mut image = self.times(&self.mass, &y);
             let square = dot(&image, &y);
-            if square > 0.0 && square.is_finite() {
+            if square > NOTHING * NOTHING * before && square.is_finite() {
                 let factor = 1.0 / square.sqrt();
                 y.iter_mut().chain(&mut image).for_each(|x| *x *= factor);
                 new.vectors.push(y);
@@ -234,12 +284,18 @@ impl Search {
             let frequency = if pair.value[0] > least { pair.value[0].sqrt() } else { 0.0 };
             let damped = dot(&combined(&damping), &x);
             let damping_ratio = if frequency > 0.0 { damped / (2.0 * frequency * dot(&image, &x)) } else { 0.0 };
-            modes.push(LowMode { frequency, damping_ratio });
+            modes.push(LowMode { frequency, damping_ratio, shape: x.clone() });
             turned.vectors.push(x);
             turned.images.push(image);
         }
         *basis = turned;
         Some(modes)
+    }
+}
+
+impl Found {
+    fn lowest_frequency(&self) -> Option<f64> {
+        self.lowest.and_then(|at| self.modes.get(at)).map(|mode| mode.frequency)
     }
 }
 
@@ -267,7 +323,7 @@ mod tests {
             let (mass, stiffness, damping) = (0.5, 800.0, 0.4);
             let mut chain = SpringChain::uniform(n, mass, stiffness, damping);
             let state = SystemState::at_rest(&chain, 0.0, vec![0.0; n]);
-            let found = lowest_modes(&mut chain, &state, 12, |_| false).unwrap();
+            let found = lowest_modes(&mut chain, &state, 12).unwrap();
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (4 * n + 2) as f64).sin();
             assert!((found[0].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[0].frequency);
             assert!((found[0].damping_ratio / (0.5 * damping / stiffness * w) - 1.0).abs() < 1e-6, "{n}");
@@ -275,7 +331,7 @@ mod tests {
                 continue;
             }
             chain.stiffness[0] = 0.0;
-            let found = lowest_modes(&mut chain, &state, 12, |_| false).unwrap();
+            let found = lowest_modes(&mut chain, &state, 12).unwrap();
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (2 * n) as f64).sin();
             assert_eq!(found[0].frequency, 0.0, "{n}");
             assert!((found[1].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[1].frequency);
@@ -288,7 +344,7 @@ mod tests {
         let mut pendulum = Pendulum { mass: 3.0, length: 0.5, gravity: 9.80665, scale: 1.0 };
         let mut state = SystemState::at_rest(&pendulum, 0.0, vec![0.0, -0.5]);
         crate::initial::accelerations(&mut pendulum, &mut state).unwrap();
-        let found = lowest_modes(&mut pendulum, &state, 12, |_| false).unwrap();
+        let found = lowest_modes(&mut pendulum, &state, 12).unwrap();
         assert_eq!(found.len(), 1);
         assert!((found[0].frequency / (9.80665f64 / 0.5).sqrt() - 1.0).abs() < 1e-9, "{found:?}");
     }
