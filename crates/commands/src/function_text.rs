@@ -1,18 +1,23 @@
 //! Run-time function texts: object names in them are held as references, so that they follow a
-//! renaming.
+//! renaming. Objects of several classes may share a name: the function and the argument decide which
+//! of them is meant.
 
 use model::{Database, FunctionText, ObjectId, Piece};
+use schema::{Class, referred};
+use syntax::function::Calls;
+use text::Diagnostic;
 
 use crate::lookup;
 
 /// Words that are never objects.
 const RESERVED: &[&str] = &["time", "pi", "dtor", "rtod", "mode", "d"];
 
-/// A function text with its names bound, and the dotted names that mean no object.
-pub fn bind(database: &Database, text: &str) -> (FunctionText, Vec<String>) {
+/// A function text with its names bound, and a warning for each name that means no object.
+pub fn bind(database: &Database, text: &str) -> (FunctionText, Vec<Diagnostic>) {
     let mut pieces = Vec::new();
     let mut plain = String::new();
-    let mut unknown = Vec::new();
+    let mut troubles = Vec::new();
+    let mut calls = Calls::default();
     let mut rest = text;
     let mut before: Option<char> = None;
     while let Some(c) = rest.chars().next() {
@@ -21,30 +26,29 @@ pub fn bind(database: &Database, text: &str) -> (FunctionText, Vec<String>) {
         let dotted = c == '.' && !glued && second.is_some_and(|s| s.is_ascii_alphabetic() || s == '_' || s == '"');
         let bare = !glued && (c.is_ascii_alphabetic() || c == '_');
         if !dotted && !bare {
+            let (one, after) = rest.split_at(c.len_utf8());
             plain.push(c);
+            calls.read(one);
             before = Some(c);
-            rest = &rest[c.len_utf8()..];
+            rest = after;
             continue;
         }
-        let length = name_length(rest);
-        let (name, after) = rest.split_at(length);
-        let found = if dotted {
-            bind_dotted(database, name)
-        } else if after.trim_start().starts_with('(') || RESERVED.iter().any(|r| r.eq_ignore_ascii_case(name)) {
-            None
-        } else {
-            near(database, name).map(|id| (id, name.len()))
-        };
-        if let Some((id, used)) = found {
+        let (name, after) = rest.split_at(name_length(rest));
+        let call = !dotted && after.trim_start().starts_with('(');
+        let wanted = calls.place().map_or(&[][..], |(function, argument)| referred(function, argument));
+        let reserved = !dotted && wanted.is_empty() && RESERVED.iter().any(|r| r.eq_ignore_ascii_case(name));
+        let found = if call || reserved { Ok(None) } else { object(database, name, wanted) };
+        if let Ok(Some((id, used))) = found {
             if !plain.is_empty() {
                 pieces.push(Piece::Text(std::mem::take(&mut plain)));
             }
             pieces.push(Piece::Object(id));
+            calls.read_object();
+            calls.read(&name[used..]);
             plain.push_str(&name[used..]);
         } else {
-            if dotted {
-                unknown.push(name.to_string());
-            }
+            troubles.extend(found.err());
+            calls.read(name);
             plain.push_str(name);
         }
         before = name.chars().last();
@@ -53,7 +57,7 @@ pub fn bind(database: &Database, text: &str) -> (FunctionText, Vec<String>) {
     if !plain.is_empty() {
         pieces.push(Piece::Text(plain));
     }
-    (FunctionText { pieces }, unknown)
+    (FunctionText { pieces }, troubles)
 }
 
 /// Length in bytes of a name with its dots and quoted steps.
@@ -69,9 +73,53 @@ fn name_length(text: &str) -> usize {
     text.len()
 }
 
+/// The object that a name means, and how much of the name that is; nothing where a name may be
+/// something else.
+fn object(database: &Database, name: &str, wanted: &[&str]) -> Result<Option<(ObjectId, usize)>, Diagnostic> {
+    let whole = |id| Ok(Some((id, name.len())));
+    for statement in wanted {
+        match lookup::search_for(database, name, &|class| class.statement == Some(*statement)).as_slice() {
+            [] => {}
+            [one] => return whole(*one),
+            many => return Err(several(database, name, many)),
+        }
+    }
+    // A design variable may stand for anything.
+    if let Some(variable) = lookup::search_one(database, name, "variable") {
+        return whole(variable);
+    }
+    let dotted = name.starts_with('.');
+    let other = if dotted { longest(database, name) } else { near(database, name).map(|id| (id, name.len())) };
+    match (wanted.first(), other) {
+        (Some(statement), other) => Err(missing(database, name, statement, other.map(|(id, _)| id))),
+        (None, None) if dotted => {
+            let message = format!("the function names `{name}`, which does not exist");
+            Err(Diagnostic::warning("name/not-found", message))
+        }
+        (None, other) => Ok(other),
+    }
+}
+
+/// The warning that a name means nothing of the class that the argument wants.
+fn missing(database: &Database, name: &str, statement: &str, other: Option<ObjectId>) -> Diagnostic {
+    let word = statement.to_ascii_lowercase();
+    let message = format!("the function names the {word} `{name}`, which does not exist");
+    let warning = Diagnostic::warning("name/not-found", message);
+    match other {
+        Some(id) => warning.note(format!("`{}` is a {}", database.full_name(id), database.object(id).class.word)),
+        None => warning,
+    }
+}
+
+fn several(database: &Database, name: &str, found: &[ObjectId]) -> Diagnostic {
+    let names: Vec<String> = found.iter().take(8).map(|id| database.full_name(*id)).collect();
+    let message = format!("`{name}` in the function may mean {}", names.join(", "));
+    Diagnostic::warning("name/ambiguous", message).help(format!("write the full name, for example `{}`", names[0]))
+}
+
 /// The object of a full name, or of its longest beginning that has at least two steps; the rest
 /// is a component (`.model.request.F1`).
-fn bind_dotted(database: &Database, name: &str) -> Option<(ObjectId, usize)> {
+fn longest(database: &Database, name: &str) -> Option<(ObjectId, usize)> {
     let mut end = name.trim_end_matches('.').len();
     loop {
         let head = name.get(..end)?;
@@ -89,9 +137,10 @@ fn bind_dotted(database: &Database, name: &str) -> Option<(ObjectId, usize)> {
 fn near(database: &Database, name: &str) -> Option<ObjectId> {
     let direct = [database.current("part"), database.current("model")];
     let steps = model::split_name(name);
+    let any = |_: &Class| true;
     direct
         .into_iter()
         .flatten()
-        .find_map(|parent| database.descend(Some(parent), &steps, "any"))
+        .find_map(|parent| database.descend_to(Some(parent), &steps, &any))
         .or_else(|| if name.contains('.') { None } else { lookup::search_one(database, name, "marker") })
 }

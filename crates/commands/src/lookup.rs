@@ -59,8 +59,13 @@ pub fn search_one(database: &Database, name: &str, wanted: &str) -> Option<Objec
 }
 
 fn search(database: &Database, name: &str, wanted: &str) -> SmallVec<[ObjectId; 1]> {
-    if name.starts_with('.') {
-        return database.find(name, wanted).into_iter().collect();
+    search_for(database, name, &|class| class.is(wanted))
+}
+
+/// Every object of a class that fits which a name may mean.
+pub fn search_for(database: &Database, name: &str, fits: &dyn Fn(&Class) -> bool) -> SmallVec<[ObjectId; 1]> {
+    if let Some(rest) = name.strip_prefix('.') {
+        return database.descend_to(None, &name_steps(rest), fits).into_iter().collect();
     }
     let steps = name_steps(name);
     if steps.iter().any(|s| s.is_empty()) {
@@ -70,17 +75,17 @@ fn search(database: &Database, name: &str, wanted: &str) -> SmallVec<[ObjectId; 
     // The current part, then the model itself, then anything below it, then other top-level objects.
     let near = [database.current("part"), database.current("body"), model];
     for parent in near.into_iter().flatten() {
-        if let Some(id) = database.descend(Some(parent), &steps, wanted) {
+        if let Some(id) = database.descend_to(Some(parent), &steps, fits) {
             return smallvec![id];
         }
     }
-    if let Some(id) = database.descend(None, &steps, wanted) {
+    if let Some(id) = database.descend_to(None, &steps, fits) {
         return smallvec![id];
     }
     let Some(model) = model else { return SmallVec::new() };
     let mut found = SmallVec::new();
     for (_, id) in database.holders_of_name(model, &steps[0]) {
-        if let Some(child) = database.descend(Some(id), &steps, wanted)
+        if let Some(child) = database.descend_to(Some(id), &steps, fits)
             && !found.contains(&child)
         {
             found.push(child);

@@ -255,6 +255,24 @@ fn functions_with_unknown_names_become_comments() {
     assert!(written.text.lines().skip(1).all(|l| l.starts_with('!') || !l.contains(".swing")));
 }
 
+/// Ids are unique within a statement only: the number of a beam would be that of some marker.
+#[test]
+fn a_function_that_names_an_object_of_another_class_is_not_written() {
+    let (mut b, beam) = swing();
+    let request = b.model_object("request", "r", 0);
+    b.function(request, "f2", vec![text("STEP(TIME, 0, 0, 1, DX("), Piece::Object(beam), text("))")]);
+    b.function(request, "f3", vec![text("BEAM("), Piece::Object(beam), text(",0,2)")]);
+    let written = b.written();
+    let [warning] = written.warnings.as_slice() else { panic!("{:?}", written.warnings) };
+    assert_eq!(warning.code, "dataset/wrong-object");
+    assert!(
+        warning.message.starts_with("the function of `.swing.r` needs a MARKER where it names `.swing.beam1`, a Beam"),
+        "{}",
+        warning.message
+    );
+    assert!(written.text.contains("\nREQUEST/1\n, F3 = BEAM(1,0,2)\n"), "{}", written.text);
+}
+
 /// A variable stands for its value in functions, be it a number or an object.
 #[test]
 fn variables_in_functions_become_what_they_hold() {

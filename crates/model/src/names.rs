@@ -59,11 +59,22 @@ impl Database {
 
     /// Follows name steps down from a parent, trying every object that shares a step's name.
     pub fn descend<S: AsRef<str>>(&self, from: Option<ObjectId>, steps: &[S], wanted: &str) -> Option<ObjectId> {
+        self.descend_to(from, steps, &|class| class.is(wanted))
+    }
+
+    /// As [`Database::descend`], to an object of a class that fits.
+    pub fn descend_to<S: AsRef<str>>(
+        &self,
+        from: Option<ObjectId>,
+        steps: &[S],
+        fits: &dyn Fn(&Class) -> bool,
+    ) -> Option<ObjectId> {
         let (first, rest) = steps.split_first()?;
+        let named = self.children_named(from, first.as_ref());
         if rest.is_empty() {
-            return self.child(from, first.as_ref(), wanted);
+            return named.iter().copied().find(|&c| fits(self.object(c).class));
         }
-        self.children_named(from, first.as_ref()).iter().find_map(|&c| self.descend(Some(c), rest, wanted))
+        named.iter().find_map(|&c| self.descend_to(Some(c), rest, fits))
     }
 
     /// The model an object belongs to.

@@ -7,10 +7,12 @@
 
 mod class;
 mod field;
+mod referred;
 mod symmetric;
 mod units;
 
 pub use class::{Class, Group, Registry, Rule, Verb};
 pub use field::{Count, Default, Field, Kind, Limit, Names, Use};
+pub use referred::referred;
 pub use symmetric::{SYMMETRY_TOLERANCE, Unequal, lower_triangle, place_by_columns, triangle_places};
 pub use units::{Dimension, Quantity, UnitName, UnitSystem, UnitTable, parse_unit_expression, unit_table};

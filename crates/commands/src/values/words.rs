@@ -129,9 +129,9 @@ impl Reader<'_> {
             }
         }
         let (bound, unknown) = function_text::bind(self.database, &text);
-        for name in unknown {
+        for trouble in unknown {
             self.warnings.push(
-                Diagnostic::warning("name/not-found", format!("the function names `{name}`, which does not exist"))
+                trouble
                     .at(argument.value_span, "kept as text")
                     .note("it must exist when the model is simulated, and does not follow a renaming"),
             );

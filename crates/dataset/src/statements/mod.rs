@@ -20,6 +20,7 @@ pub(crate) use regular::zero_if_left_out;
 pub(crate) use settings::{read_setting, setting_words, settings};
 
 use model::{Database, FunctionText, ObjectId, Piece, Value};
+use syntax::function::Calls;
 
 use crate::{layout::Lines, number::number, write::Writer};
 
@@ -88,9 +89,11 @@ fn function_text(w: &mut Writer<'_>, id: ObjectId, field: &str) -> String {
     };
     let mut text = String::new();
     let mut before = None;
+    let mut calls = Calls::default();
     for piece in &function.pieces {
         match piece {
             Piece::Text(t) => {
+                calls.read(t);
                 for name in unbound_names(t, before) {
                     let user = w.database.full_name(id);
                     w.fail("dataset/unknown-name", format!("`{user}` refers to `{name}`, which is no object"));
@@ -99,6 +102,9 @@ fn function_text(w: &mut Writer<'_>, id: ObjectId, field: &str) -> String {
                 before = t.chars().last();
             }
             Piece::Object(object) => {
+                let wanted = calls.place().map_or(&[][..], |(function, at)| schema::referred(function, at));
+                refuse_other_class(w, id, *object, wanted);
+                calls.read_object();
                 let value = bound(w, id, *object);
                 text.push_str(&value);
                 before = value.chars().last();
@@ -106,6 +112,18 @@ fn function_text(w: &mut Writer<'_>, id: ObjectId, field: &str) -> String {
         }
     }
     text.trim().to_string()
+}
+
+/// Refuses an object where the solver would take its number for that of another: ids are unique
+/// within a statement only.
+fn refuse_other_class(w: &mut Writer<'_>, id: ObjectId, object: ObjectId, wanted: &[&str]) {
+    let Some(found) = w.database.get(object) else { return };
+    let (Some(proper), Some(statement)) = (wanted.first(), found.class.statement) else { return };
+    if statement != *proper {
+        let (user, name, word) = (w.database.full_name(id), w.database.full_name(object), found.class.word);
+        let message = format!("the function of `{user}` needs a {proper} where it names `{name}`, a {word}");
+        w.fail("dataset/wrong-object", message);
+    }
 }
 
 /// What stands in a function for an object: the value of a variable, the number of anything else.

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use equations::{BodyId, GROUND, Gradient, State, constraints::TimeFunction};
 use functions::{Function, Resolver};
 use model::{Database, FunctionText, ObjectId, Value};
-use schema::Dimension;
+use schema::{Class, Dimension};
 use text::Diagnostic;
 
 use crate::lower::Lowering;
@@ -69,15 +69,6 @@ pub fn compile(lowering: &mut Lowering<'_>, owner: ObjectId, text: &str) -> Opti
     Some(Compiled { function, factors, time: 1.0 / lowering.factor(Dimension::TIME) })
 }
 
-/// Classes whose loads a function asks for, where that is not just any constraint.
-const CLASSES: &[(&str, &[&str])] = &[
-    ("BEAM", &["beam"]),
-    ("BUSH", &["bushing"]),
-    ("FIELD", &["field"]),
-    ("SPDP", &["translational_spring_damper", "rotational_spring_damper"]),
-    ("SFORCE", &["single_component_force", "translational_spring_damper", "rotational_spring_damper"]),
-];
-
 /// Finds the objects that a function names.
 struct Names<'a, 'b> {
     lowering: &'a mut Lowering<'b>,
@@ -85,44 +76,49 @@ struct Names<'a, 'b> {
 
 impl Names<'_, '_> {
     /// An object by full name, by name below the model, or by number.
-    fn find(&self, name: &str, wanted: &str) -> Option<ObjectId> {
+    fn find(&self, name: &str, fits: &dyn Fn(&Class) -> bool) -> Option<ObjectId> {
         let (database, model) = (self.lowering.database, self.lowering.model);
-        if let Some(found) = database.find(name, wanted) {
-            return Some(found);
-        }
         if let Ok(number) = name.parse::<i64>() {
-            return database
-                .below(model, wanted)
-                .into_iter()
-                .find(|&id| number > 0 && database.integer(id, "adams_id") == Some(number));
+            let has_it = |id: &ObjectId| number > 0 && database.integer(*id, "adams_id") == Some(number);
+            return database.subtree(model).into_iter().find(|id| fits(database.object(*id).class) && has_it(id));
         }
         let steps = model::split_name(name.strip_prefix('.').unwrap_or(name));
-        database.descend(Some(model), &steps, wanted)
+        let full = if name.starts_with('.') { database.descend_to(None, &steps, fits) } else { None };
+        full.or_else(|| database.descend_to(Some(model), &steps, fits))
+    }
+
+    /// What else a name means, for the complaint that it does not mean what is wanted.
+    fn instead(&self, name: &str) -> String {
+        let other = self.find(name, &|class| class.id != "model" && name.parse::<i64>().is_err());
+        let word = |id| crate::lower::word_of(self.lowering.database, id);
+        other.map_or(String::new(), |id| format!("; `{name}` is a {}", word(id)))
     }
 }
 
 impl Resolver for Names<'_, '_> {
     fn marker(&mut self, name: &str) -> Result<u32, String> {
-        let Some(marker) = self.find(name, "marker") else { return Err(format!("there is no marker `{name}`")) };
+        let Some(marker) = self.find(name, &|class| class.is("marker")) else {
+            return Err(format!("there is no marker `{name}`{}", self.instead(name)));
+        };
         let frame = self.lowering.frame(marker);
         frame.map(|f| f.0).ok_or_else(|| format!("marker `{name}` is on no part that is simulated"))
     }
 
     fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
-        let found = self.find(name, "force").or_else(|| self.find(name, "constraint"));
-        let Some(id) = found else { return Err(format!("there is no element `{name}` for {function}")) };
-        let class = self.lowering.database.object(id).class;
-        match CLASSES.iter().find(|(asked, _)| asked.eq_ignore_ascii_case(function)) {
-            Some((_, classes)) if !classes.contains(&class.id) => {
-                let word = crate::lower::word_of(self.lowering.database, id);
+        let wanted = schema::referred(function, 0);
+        let found = wanted.iter().find_map(|statement| self.find(name, &|class| class.statement == Some(*statement)));
+        match (found, self.find(name, &|class| class.is("force") || class.is("constraint"))) {
+            (Some(id), _) => Ok(id.0),
+            (None, Some(other)) => {
+                let word = crate::lower::word_of(self.lowering.database, other);
                 Err(format!("`{name}` is a {word}, which {function} does not ask for"))
             }
-            _ => Ok(id.0),
+            (None, None) => Err(format!("there is no element `{name}` for {function}{}", self.instead(name))),
         }
     }
 
     fn number(&mut self, name: &str) -> Result<f64, String> {
-        let variable = self.find(name, "variable");
+        let variable = self.find(name, &|class| class.is("variable"));
         let value = variable.and_then(|v| {
             let cells = ["real_value", "integer_value"];
             cells.into_iter().find_map(|cell| self.lowering.database.number(v, cell))
