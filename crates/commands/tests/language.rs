@@ -124,7 +124,7 @@ fn mistakes_are_refused_with_the_texts_of_adams() {
     );
     refused(&mut i, &format!("{modify} i = 3"), "command/ambiguous-abbreviation", "");
     refused(&mut i, &format!("{modify} matrix_of_damping_terms = 1,2,3"), "command/wrong-count", "");
-    refused(&mut i, &format!("{modify} matrix_of_damping_terms = a 6x6 matrix"), "command/wrong-count", "");
+    refused(&mut i, &format!("{modify} matrix_of_damping_terms = any 6x6 table"), "command/wrong-count", "");
     refused(&mut i, &format!("{modify} length = 1e999"), "syntax/number-out-of-range", "");
     refused(&mut i, &format!("{modify} length = (2kg)"), "unit/wrong-dimension", "");
     refused(&mut i, &format!("{modify} formulation = cubic"), "command/unknown-word", "");
@@ -177,7 +177,7 @@ fn mistakes_are_refused_with_the_texts_of_adams() {
 #[test]
 fn the_placeholder_of_the_help_page_says_how_many_numbers_are_wanted() {
     let mut i = fixture();
-    let text = "force modify element_like beam beam_name = beam1 matrix_of_damping_terms = a 6x6 matrix";
+    let text = "force modify element_like beam beam_name = beam1 matrix_of_damping_terms = any 6x6 table";
     let report = i.execute(text);
     assert_eq!(report.failed, 1);
     assert_eq!(report.diagnostics.len(), 1, "{:#?}", report.diagnostics);
@@ -275,7 +275,7 @@ fn a_beam_between_parts_gets_its_markers() {
 #[test]
 fn what_is_not_executed_is_named() {
     let mut i = fixture();
-    let report = i.execute("view erase");
+    let report = i.execute("view fit view = front");
     assert_eq!((report.skipped, report.executed, report.diagnostics[0].code), (1, 0, "command/not-supported"));
 }
 

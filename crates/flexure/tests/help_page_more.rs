@@ -82,7 +82,7 @@ fn odd_names_are_quoted_wherever_they_stand() {
     s.unchanged("force modify element_like beam beam_name = beam1 new_beam_name = 1st beam");
 }
 
-/// "If you type in the full name, then you may over ride the default parent"; "the parentage must exist".
+/// A full name overrides the default parent, which must be there already.
 #[test]
 fn a_full_name_says_what_the_beam_belongs_to() {
     let mut s = Scene::beam();

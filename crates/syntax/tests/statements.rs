@@ -60,8 +60,8 @@ fn a_value_may_stand_on_the_line_behind_its_equals_sign() {
 /// The help page of the beam prints its example so, with a placeholder where numbers belong.
 #[test]
 fn a_placeholder_with_blanks_is_reported_and_the_next_argument_is_read() {
-    let text = "force modify beam &\nterms =\na 6x6 matrix &\ni_marker =\nmarker_1 &\nj_marker =\nmarker_2\n";
-    assert_eq!(codes(text), [("syntax/continued-without-mark", "="), ("syntax/stray-text", "6x6 matrix")]);
+    let text = "force modify beam &\nterms =\nany 6x6 table &\ni_marker =\nmarker_1 &\nj_marker =\nmarker_2\n";
+    assert_eq!(codes(text), [("syntax/continued-without-mark", "="), ("syntax/stray-text", "6x6 table")]);
     assert_eq!(
         common::statement(text, &flexure_syntax::command::parse(FileId(0), text).0[0]),
         "force modify beam | terms = a | i_marker = marker_1 | j_marker = marker_2"

@@ -234,7 +234,7 @@ fn a_damping_matrix_has_21_terms() {
 #[test]
 fn the_placeholder_of_the_help_page_is_no_matrix() {
     Scene::beam()
-        .unchanged("force modify element_like beam beam_name = .m.beam1 matrix_of_damping_terms = a 6x6 matrix");
+        .unchanged("force modify element_like beam beam_name = .m.beam1 matrix_of_damping_terms = any 6x6 table");
 }
 
 // Case 22, documented.
