@@ -208,3 +208,39 @@ proptest! {
         prop_assert_eq!(told(&differences), [format!("{object} -> {parent}.{name}")]);
     }
 }
+
+/// Truth: -90 degrees are 270, 360 are 0, and 90 degrees are half of pi; a degree more is another
+/// orientation.
+#[test]
+fn orientations_are_compared_as_axes() {
+    let marker = |units: &str, angles: &str| {
+        format!(
+            "model create model_name = m\ndefaults units {units}\n\
+             marker create marker_name = .m.ground.a orientation = {angles}\n"
+        )
+    };
+    let first = marker("angle = deg", "-90, 0, 0");
+    for same in [marker("angle = deg", "270, 0, 0"), marker("angle = rad", "-1.5707963268, 0, 0")] {
+        assert_eq!(told(&between(&first, &same)), [""; 0]);
+    }
+    let (whole, none) = (marker("angle = deg", "0, 360, 0"), marker("angle = deg", "0, 0, 0"));
+    assert_eq!(told(&between(&whole, &none)), [""; 0]);
+    let other = told(&between(&first, &marker("angle = deg", "271, 0, 0")));
+    assert!(other.len() == 1 && other[0].contains("orientation: "), "{other:?}");
+}
+
+/// A beam under the name of a force is the beam again when the file is read.
+#[test]
+fn a_name_shared_by_two_classes_is_no_difference() {
+    let text = format!(
+        "{MODEL}force modify element_like beam beam_name = .m.beam new_beam_name = .m.push\n\
+         output_control create request request_name = .m.r f2 = \"BEAM(.m.push,0,8,0) + SFORCE(push,0,2,0)\"\n"
+    );
+    let first = session(&text);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("shared.cmd");
+    session(&text).write(&path).unwrap();
+    let mut second = Session::new();
+    assert!(second.read(&path).diagnostics.is_empty());
+    assert_eq!(told(&first.compare(&second, 0.0).unwrap()), [""; 0]);
+}

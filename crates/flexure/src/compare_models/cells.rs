@@ -1,13 +1,16 @@
 //! Values of two objects side by side.
 
 use model::{Cell, Database, Expression, FunctionText, Node, ObjectId, Piece, Source, Value};
-use schema::{Dimension, Field};
+use schema::{Dimension, Field, Kind};
 
 use super::pairs::Pairs;
 use super::{ValueChange, Why};
 
 /// Conversion of units costs a few units in the last place of the sixteen digits a number has.
 const ROUNDING: f64 = 1e-12;
+/// Entries of the matrices of two rotations that are the same: angles are written with ten decimals, of
+/// which the last may be off by a half; three in sequence add up.
+const SAME_AXES: f64 = 1e-9;
 
 /// Two databases, and what counts as equal.
 pub(super) struct Comparison<'a> {
@@ -69,7 +72,7 @@ impl Comparison<'_> {
     /// Why two cells differ; none if they do not.
     fn difference(&self, x: Option<&Cell>, y: Option<&Cell>, field: &Field, pairs: &Pairs) -> Option<Why> {
         let (Some(x), Some(y)) = (x, y) else { return (x.is_some() != y.is_some()).then_some(Why::Given) };
-        let value = self.same_value(x, y, field.dimension, pairs);
+        let value = self.same_value(x, y, field, pairs);
         let computed = same_source(&x.source, &y.source, pairs);
         match (value, computed) {
             (true, true) => None,
@@ -79,7 +82,8 @@ impl Comparison<'_> {
         }
     }
 
-    fn same_value(&self, x: &Cell, y: &Cell, dimension: Dimension, pairs: &Pairs) -> bool {
+    fn same_value(&self, x: &Cell, y: &Cell, field: &Field, pairs: &Pairs) -> bool {
+        let dimension = field.dimension;
         match (&x.value, &y.value) {
             (Value::Text(a), Value::Text(b)) => a == b,
             (Value::Texts(a), Value::Texts(b)) => a == b,
@@ -95,6 +99,7 @@ impl Comparison<'_> {
                     Some(cell.value.as_numbers()?.into_iter().map(|n| n * factor).collect())
                 };
                 match (si(self.a, x), si(self.b, y)) {
+                    (Some(a), Some(b)) if field.kind == Kind::Orientation => self.same_axes(&a, &b),
                     (Some(a), Some(b)) => self.same_numbers(&a, &b),
                     _ => x.value == y.value,
                 }
@@ -107,6 +112,13 @@ impl Comparison<'_> {
         let size = a.iter().chain(b).fold(0.0_f64, |size, n| size.max(n.abs()));
         let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= size * ROUNDING.max(self.tolerance);
         a.len() == b.len() && a.iter().zip(b).all(close)
+    }
+
+    /// Angles are compared by the axes that they turn to: -90 degrees are 270.
+    fn same_axes(&self, a: &[f64], b: &[f64]) -> bool {
+        let (&[a0, a1, a2], &[b0, b1, b2]) = (a, b) else { return self.same_numbers(a, b) };
+        let turned = |angles| model::rotation_of(model::Sequence::BODY_313, angles);
+        turned([a0, a1, a2]).abs_diff_eq(turned([b0, b1, b2]), SAME_AXES.max(self.tolerance))
     }
 
     fn same_object(&self, a: ObjectId, b: ObjectId, pairs: &Pairs) -> bool {
@@ -212,10 +224,10 @@ fn shown(database: &Database, cell: &Cell, field: &Field) -> String {
         Value::Number(x) => format!("{x:?}"),
         Value::Integer(i) => i.to_string(),
         Value::Flag(flag) => match field.kind {
-            schema::Kind::Boolean(yes, no) => if *flag { yes } else { no }.to_owned(),
+            Kind::Boolean(yes, no) => if *flag { yes } else { no }.to_owned(),
             _ => u8::from(*flag).to_string(),
         },
-        Value::Text(text) if matches!(field.kind, schema::Kind::Choice(_)) => text.clone(),
+        Value::Text(text) if matches!(field.kind, Kind::Choice(_)) => text.clone(),
         Value::Text(text) => format!("{text:?}"),
         Value::Texts(texts) => texts.iter().map(|t| format!("{t:?}")).collect::<Vec<_>>().join(", "),
         Value::Object(id) => name(id),
