@@ -280,6 +280,11 @@ impl Interpreter {
         let outcome = reader.read(field, argument);
         let warnings = std::mem::take(&mut reader.warnings);
         self.report.diagnostics.extend(warnings);
+        if let (schema::Kind::Function, Some(owner)) = (field.kind, owner)
+            && let Some(cell) = self.database.object(owner).class.cell_index(field.name)
+        {
+            self.function_places.insert(CellKey::new(owner, cell), argument.value_span);
+        }
         outcome
     }
 

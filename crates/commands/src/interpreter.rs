@@ -8,7 +8,7 @@ use std::{
     },
 };
 
-use model::Database;
+use model::{CellKey, Database, ObjectId};
 use schema::Registry;
 use syntax::command::Parser;
 use text::{Diagnostic, FileId, Sources, Span};
@@ -99,6 +99,8 @@ pub struct Interpreter {
     pub(crate) host: Box<dyn Host>,
     pub(crate) report: Report,
     pub(crate) names: Names,
+    /// Where run-time functions were given, for what is found in them later.
+    pub(crate) function_places: rustc_hash::FxHashMap<CellKey, Span>,
     pub(crate) macros: Macros,
     /// Statements whose files or macros are being read, outermost first.
     pub(crate) trace: Vec<Span>,
@@ -161,6 +163,7 @@ impl Interpreter {
             host,
             report: Report::default(),
             names: Names::default(),
+            function_places: rustc_hash::FxHashMap::default(),
             macros: Macros::default(),
             trace: Vec::new(),
             unmade: std::collections::HashSet::new(),
@@ -182,6 +185,12 @@ impl Interpreter {
     /// The classes of this session.
     pub fn registry(&self) -> &Registry {
         &self.registry
+    }
+
+    /// Where a run-time function of an object was given last; none if no command gave it.
+    pub fn function_place(&self, object: ObjectId, cell: &str) -> Option<Span> {
+        let index = self.database.get(object)?.class.cell_index(cell)?;
+        self.function_places.get(&CellKey::new(object, index)).copied()
     }
 
     /// The commands of this session.

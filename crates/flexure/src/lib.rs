@@ -6,6 +6,7 @@ mod beams;
 mod compare_models;
 mod engine;
 mod fixes;
+mod function_check;
 mod host;
 mod layout;
 mod modes;

@@ -10,6 +10,11 @@ impl Session {
         self.interpreter.is_incomplete(text)
     }
 
+    /// Lets history begin here: what was done so far, such as reading a file, is not taken back.
+    pub fn forget_steps(&mut self) {
+        self.interpreter.database.flush_history();
+    }
+
     /// What may stand at the end of half-typed text.
     pub fn complete(&self, text: &str) -> Completion {
         self.interpreter.complete(text)

@@ -34,6 +34,14 @@ pub(super) fn execute(check: &Check) -> Outcome {
             diagnostics.extend(read(&mut session, path).diagnostics);
         }
     }
+    // What was said of a name when the function was read is said again, with more to it.
+    let functions = session.check_functions();
+    let places: Vec<_> = functions.iter().filter_map(|d| d.primary.as_ref().map(|label| label.span)).collect();
+    let again = |d: &flexure::text::Diagnostic| {
+        d.code == "name/not-found" && !d.is_error() && d.primary.as_ref().is_some_and(|l| places.contains(&l.span))
+    };
+    diagnostics.retain(|d| !again(d));
+    diagnostics.extend(functions);
     let errors = diagnostics.iter().filter(|d| d.is_error()).count();
     match check.format {
         ReportFormat::Text => {

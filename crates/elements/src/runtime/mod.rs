@@ -12,6 +12,7 @@ use text::Diagnostic;
 
 use crate::lower::Lowering;
 
+pub mod check;
 pub mod loads;
 pub mod measure;
 
@@ -69,15 +70,17 @@ pub fn compile(lowering: &mut Lowering<'_>, owner: ObjectId, text: &str) -> Opti
     Some(Compiled { function, factors, time: 1.0 / lowering.factor(Dimension::TIME) })
 }
 
-/// Finds the objects that a function names.
-struct Names<'a, 'b> {
-    lowering: &'a mut Lowering<'b>,
+/// Finds the objects that the functions of a model name.
+#[derive(Clone, Copy)]
+struct Finder<'a> {
+    database: &'a Database,
+    model: ObjectId,
 }
 
-impl Names<'_, '_> {
+impl Finder<'_> {
     /// An object by full name, by name below the model, or by number.
     fn find(&self, name: &str, fits: &dyn Fn(&Class) -> bool) -> Option<ObjectId> {
-        let (database, model) = (self.lowering.database, self.lowering.model);
+        let Finder { database, model } = *self;
         if let Ok(number) = name.parse::<i64>() {
             let has_it = |id: &ObjectId| number > 0 && database.integer(*id, "adams_id") == Some(number);
             return database.subtree(model).into_iter().find(|id| fits(database.object(*id).class) && has_it(id));
@@ -90,35 +93,54 @@ impl Names<'_, '_> {
     /// What else a name means, for the complaint that it does not mean what is wanted.
     fn instead(&self, name: &str) -> String {
         let other = self.find(name, &|class| class.id != "model" && name.parse::<i64>().is_err());
-        let word = |id| crate::lower::word_of(self.lowering.database, id);
+        let word = |id| crate::lower::word_of(self.database, id);
         other.map_or(String::new(), |id| format!("; `{name}` is a {}", word(id)))
     }
-}
 
-impl Resolver for Names<'_, '_> {
-    fn marker(&mut self, name: &str) -> Result<u32, String> {
-        let Some(marker) = self.find(name, &|class| class.is("marker")) else {
-            return Err(format!("there is no marker `{name}`{}", self.instead(name)));
-        };
-        let frame = self.lowering.frame(marker);
-        frame.map(|f| f.0).ok_or_else(|| format!("marker `{name}` is on no part that is simulated"))
+    fn marker(&self, name: &str) -> Result<ObjectId, String> {
+        let found = self.find(name, &|class| class.is("marker"));
+        found.ok_or_else(|| format!("there is no marker `{name}`{}", self.instead(name)))
     }
 
-    fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
+    /// The element whose load a function asks for.
+    fn element(&self, function: &str, name: &str) -> Result<ObjectId, String> {
         let wanted = schema::referred(function, 0);
         let found = wanted.iter().find_map(|statement| self.find(name, &|class| class.statement == Some(*statement)));
         match (found, self.find(name, &|class| class.is("force") || class.is("constraint"))) {
-            (Some(id), _) => Ok(id.0),
+            (Some(id), _) => Ok(id),
             (None, Some(other)) => {
-                let word = crate::lower::word_of(self.lowering.database, other);
+                let word = crate::lower::word_of(self.database, other);
                 Err(format!("`{name}` is a {word}, which {function} does not ask for"))
             }
             (None, None) => Err(format!("there is no element `{name}` for {function}{}", self.instead(name))),
         }
     }
+}
+
+/// Turns names into frames and elements of a model that is lowered.
+struct Names<'a, 'b> {
+    lowering: &'a mut Lowering<'b>,
+}
+
+impl Names<'_, '_> {
+    fn finder(&self) -> Finder<'_> {
+        Finder { database: self.lowering.database, model: self.lowering.model }
+    }
+}
+
+impl Resolver for Names<'_, '_> {
+    fn marker(&mut self, name: &str) -> Result<u32, String> {
+        let marker = self.finder().marker(name)?;
+        let frame = self.lowering.frame(marker);
+        frame.map(|f| f.0).ok_or_else(|| format!("marker `{name}` is on no part that is simulated"))
+    }
+
+    fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
+        self.finder().element(function, name).map(|id| id.0)
+    }
 
     fn number(&mut self, name: &str) -> Result<f64, String> {
-        let variable = self.find(name, &|class| class.is("variable"));
+        let variable = self.finder().find(name, &|class| class.is("variable"));
         let value = variable.and_then(|v| {
             let cells = ["real_value", "integer_value"];
             cells.into_iter().find_map(|cell| self.lowering.database.number(v, cell))

@@ -1,0 +1,72 @@
+//! Run-time functions of a database looked at without lowering a model: whether each can be read, and
+//! whether what it names exists. What is not computed yet is no mistake of the function.
+
+use functions::Resolver;
+use model::{Database, ObjectId, Value};
+use schema::Class;
+use text::Diagnostic;
+
+use super::{Finder, text_of};
+
+/// Codes of what concerns Flexure, not the function.
+const NOT_WRONG: &[&str] = &["function/not-supported", "function/not-finite"];
+
+/// A function that cannot be used: whose, in which cell, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BadFunction {
+    pub object: ObjectId,
+    pub cell: &'static str,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// The functions of all objects that cannot be used, in order of creation.
+pub fn bad_functions(database: &Database) -> Vec<BadFunction> {
+    let mut found = Vec::new();
+    for object in database.ids() {
+        let class = database.object(object).class;
+        let Some(model) = database.model_of(object).filter(|_| class.statement.is_some()) else { continue };
+        for field in class.fields() {
+            let Some(Value::Function(_)) = database.value(object, field.name) else { continue };
+            let text = text_of(database, object, field.name);
+            if text.trim().is_empty() {
+                continue;
+            }
+            let diagnostics = troubles(database, model, &text);
+            if !diagnostics.is_empty() {
+                found.push(BadFunction { object, cell: field.name, diagnostics });
+            }
+        }
+    }
+    found
+}
+
+fn troubles(database: &Database, model: ObjectId, text: &str) -> Vec<Diagnostic> {
+    let (tree, mut troubles) = syntax::function::parse(text::FileId(u32::MAX), text, 0);
+    troubles.retain(Diagnostic::is_error);
+    if troubles.is_empty() {
+        let mut names = Names(Finder { database, model });
+        troubles.extend(functions::compile(&tree, &mut names).err().into_iter().flatten());
+    }
+    troubles.retain(|d| !NOT_WRONG.contains(&d.code));
+    troubles
+}
+
+/// Knows which objects there are, and no state.
+struct Names<'a>(Finder<'a>);
+
+impl Resolver for Names<'_> {
+    fn marker(&mut self, name: &str) -> Result<u32, String> {
+        self.0.marker(name).map(|id| id.0)
+    }
+
+    fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
+        self.0.element(function, name).map(|id| id.0)
+    }
+
+    /// A measure may stand for its value in the modeller.
+    fn number(&mut self, name: &str) -> Result<f64, String> {
+        let any = |class: &Class| !class.is("marker") && !class.is("body");
+        let known = self.0.find(name, &any).is_some() || name.matches('.').count() > 2;
+        if known { Ok(1.0) } else { Err(format!("`{name}` is not a number, a constant or a function")) }
+    }
+}
