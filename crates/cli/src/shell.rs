@@ -67,6 +67,8 @@ fn begin(session: &mut Session, shell: &Shell) -> bool {
             session.simulate_nothing(true);
             let sound = open(session, path, &Edits { commands: Vec::new() });
             session.simulate_nothing(false);
+            // As for a `.fx` file: what was read is where the session begins.
+            session.forget_steps();
             if is_store && !sound || !path.exists() && path.as_path() != Path::new("-") {
                 return false;
             }
@@ -140,6 +142,11 @@ impl Dialog {
                     pending.push_str(&line);
                     pending.push('\n');
                     if self.lock().is_incomplete(&pending) {
+                        if let Own::Quit = own(&line) {
+                            // It may be meant as a command of the block.
+                            let opener = pending.split_whitespace().next().unwrap_or_default();
+                            eprintln!("`{opener}` is open and `{}` belongs to it: `end` closes it", line.trim());
+                        }
                         continue;
                     }
                     let text = std::mem::take(&mut pending);

@@ -96,10 +96,16 @@ impl Typed {
 impl Lines for Typed {
     fn next(&mut self, pending: &str) -> Asked {
         *lock(&self.pending) = pending.to_string();
-        let prompt = if pending.is_empty() { "flexure> " } else { "     ...> " };
+        // What is open stands where the program's name does.
+        let opener = pending.split_whitespace().next().filter(|_| !pending.trim_end().ends_with('&'));
+        let prompt = match opener {
+            None if pending.is_empty() => "flexure> ".to_string(),
+            None => "     ...> ".to_string(),
+            Some(word) => format!("{:>5}...> ", word.chars().take(8).collect::<String>()),
+        };
         let (mut left, mut right) = (String::new(), String::new());
         loop {
-            let outcome = self.editor.readline_with_initial(prompt, (&left, &right));
+            let outcome = self.editor.readline_with_initial(&prompt, (&left, &right));
             if let Some((before, behind)) = lock(&self.asked).take() {
                 let answer = lock(&self.session).question(&format!("{pending}{before}"));
                 answer.iter().for_each(|line| println!("{line}"));

@@ -224,3 +224,35 @@ fn a_journal_builds_the_same_model() {
     fs::rename(folder.path().join("aview.log"), folder.path().join("log.cmd")).unwrap();
     assert_eq!(export(&folder, "log.cmd"), wanted);
 }
+
+/// A file that was read is where history begins, and every step says what it did.
+#[test]
+fn undo_stops_at_the_file_that_was_read_and_says_what_it_takes_back() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("m.cmd"), "model create model_name = m\nmarker create marker_name = .m.ground.a\n")
+        .unwrap();
+    let input = "undo\nmarker create marker_name = .m.ground.b\nundo\nredo\n\
+                 marker modify marker_name = .m.ground.a location = 1,2,3\nundo\nundo\nundo\n\
+                 list_info marker marker_name = .m.ground.a\n";
+    let (status, shown, errors) = run(&folder, &["shell", "m.cmd"], input);
+    assert_eq!((status, errors.matches("error[undo/nothing]").count()), (1, 2), "{errors}");
+    let said: Vec<&str> = shown.lines().filter(|l| l.contains("taken back") || l.contains("done again")).collect();
+    assert_eq!(
+        said,
+        [
+            "taken back: `.m.ground.b` is gone",
+            "done again: `.m.ground.b` is there",
+            "taken back: `.m.ground.a` is changed",
+            "taken back: `.m.ground.b` is gone",
+        ]
+    );
+    assert!(shown.contains("Object Name     : .m.ground.a"), "{shown}");
+}
+
+/// A loop that is not closed holds what follows; whoever wants to leave is told.
+#[test]
+fn quit_within_an_open_block_says_that_it_is_open() {
+    let folder = TempDir::new().unwrap();
+    let (_, _, errors) = run(&folder, &["shell"], "for variable_name = k start_value = 1 end_value = 2\nquit\n");
+    assert!(errors.contains("`for` is open and `quit` belongs to it: `end` closes it"), "{errors}");
+}

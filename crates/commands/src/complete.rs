@@ -3,15 +3,15 @@
 
 use std::collections::HashMap;
 
-use model::{Database, ObjectId, quoted};
+use model::{Database, ObjectId, Value, quoted};
 use schema::{Field, Kind, Names, Rule};
 
 use crate::{
     Interpreter,
     call::match_parameter,
-    complete_situation::{Place, Situation, situation},
+    complete_situation::{Place, Situation, given_values, situation},
     help,
-    tree::{Action, Command, Parameter, Path},
+    tree::{Action, Command, Parameter, Path, Role},
     words::{Match, match_word},
 };
 
@@ -200,7 +200,10 @@ impl Interpreter {
         } else {
             parts.push(help::kind_of(&parameter.field, &self.database));
             let creating = matches!(command.action, Action::Create(..) | Action::Verb(_));
-            parts.extend(help::default_of(&parameter.field, creating, &self.database));
+            let default = help::default_of(&parameter.field, creating, &self.database);
+            let changing = matches!(command.action, Action::Set(_)) && parameter.role != Role::Object;
+            let unchanged = changing.then(|| "unchanged if not given".to_string());
+            parts.extend(default.or(unchanged));
         }
         if self.is_required(command, parameter) {
             parts.push("required".into());
@@ -222,13 +225,58 @@ impl Interpreter {
         let prefix = typed(text, place.start);
         let candidates = match command.action {
             Action::Macro(id) => self.macro_values(id, &found.name, prefix, in_text),
-            _ => self.values_of(&found.field, prefix, in_text),
+            Action::Set(_) => {
+                let present = self.present(&command, text, found);
+                let title = format!("{}: {}", found.name, self.describe(&command, found));
+                let now = present.as_ref().map_or(String::new(), |value| format!(" (now {value})"));
+                let candidates = self.values_of(&found.field, prefix, in_text, (present, "as it is"));
+                return Completion { start: place.start, title: format!("{title}{now}"), candidates };
+            }
+            _ => self.values_of(&found.field, prefix, in_text, (help::default_text(&found.field), "default")),
         };
         let title = format!("{}: {}", found.name, self.describe(&command, found));
         Completion { start: place.start, title, candidates }
     }
 
-    fn values_of(&self, field: &Field, prefix: &str, in_text: bool) -> Vec<Candidate> {
+    /// The present value of a parameter of the object that a command changes, as it would be typed.
+    fn present(&self, command: &Command, text: &str, parameter: &Parameter) -> Option<String> {
+        let object = command.parameters.iter().find(|p| p.role == Role::Object)?;
+        let Kind::Object(_, wanted) = object.field.kind else { return None };
+        let given = given_values(text).into_iter().find(|(typed, _)| {
+            matches!(match_parameter(&command.parameters, typed), Match::One(i) if command.parameters[i].name == object.name)
+        });
+        let database = &self.database;
+        let id = match given {
+            Some((_, name)) => crate::lookup::search_one(database, &name, wanted)?,
+            None => database.current(wanted)?,
+        };
+        let field = &parameter.field;
+        match database.value(id, field.name)? {
+            Value::Number(_) | Value::Array(_) if matches!(field.kind, Kind::Real) => {
+                let numbers = database.numbers(id, field.name)?;
+                let shown = |x: &f64| crate::number::real(crate::number::ten_decimals(*x));
+                Some(numbers.iter().map(shown).collect::<Vec<_>>().join(", "))
+            }
+            Value::Integer(i) => Some(i.to_string()),
+            Value::Text(word) if matches!(field.kind, Kind::Choice(_)) => Some(word.clone()),
+            Value::Flag(flag) => match field.kind {
+                Kind::Boolean(yes, no) => Some(if *flag { yes } else { no }.to_string()),
+                _ => None,
+            },
+            Value::Object(other) if database.get(*other).is_some() => Some(database.full_name(*other)),
+            _ => None,
+        }
+    }
+
+    /// Values that may be typed; `usual` is one that is there already or would be taken, with the word
+    /// for it.
+    fn values_of(
+        &self,
+        field: &Field,
+        prefix: &str,
+        in_text: bool,
+        (usual, word): (Option<String>, &str),
+    ) -> Vec<Candidate> {
         match field.kind {
             Kind::File => self.files(prefix, in_text),
             _ if in_text => Vec::new(),
@@ -239,11 +287,11 @@ impl Interpreter {
                 found
             }
             Kind::Object(Names::New, wanted) => self.new_names(wanted, prefix),
-            Kind::Boolean(yes, no) => words([yes, no], prefix, field),
-            Kind::Choice(choices) => words(choices.iter().copied(), prefix, field),
+            Kind::Boolean(yes, no) => words([yes, no], prefix, (usual.as_deref(), word)),
+            Kind::Choice(choices) => words(choices.iter().copied(), prefix, (usual.as_deref(), word)),
             _ => {
-                let default = help::default_text(field).filter(|d| begins(d, prefix));
-                default.map(|text| Candidate { text, note: "default".into() }).into_iter().collect()
+                let usual = usual.filter(|d| begins(d, prefix));
+                usual.map(|text| Candidate { text, note: word.into() }).into_iter().collect()
             }
         }
     }
@@ -254,7 +302,6 @@ impl Interpreter {
             Some((class, inner)) => (class, inner.trim_end_matches(')')),
             None => (formal.kind, ""),
         };
-        let field = Field::new("value", Kind::Any);
         if class == "file" {
             return self.files(prefix, in_text);
         }
@@ -262,7 +309,7 @@ impl Interpreter {
             return Vec::new();
         }
         let mut found = match (class, class.strip_prefix("new_")) {
-            ("list", _) => words(inner.split(',').map(str::trim), prefix, &field),
+            ("list", _) => words(inner.split(',').map(str::trim), prefix, (None, "")),
             (_, Some(new)) => self.new_names(new, prefix),
             _ if self.registry.classes.iter().any(|c| c.is(class)) => objects(&self.database, class, prefix),
             _ => Vec::new(),
@@ -342,9 +389,12 @@ fn begins(word: &str, prefix: &str) -> bool {
     word.len() >= prefix.len() && word.as_bytes()[..prefix.len()].eq_ignore_ascii_case(prefix.as_bytes())
 }
 
-fn words<'a>(choices: impl IntoIterator<Item = &'a str>, prefix: &str, field: &Field) -> Vec<Candidate> {
-    let default = help::default_text(field);
-    let note = |word: &str| if default.as_deref() == Some(word) { "default".to_string() } else { String::new() };
+fn words<'a>(
+    choices: impl IntoIterator<Item = &'a str>,
+    prefix: &str,
+    (usual, said): (Option<&str>, &str),
+) -> Vec<Candidate> {
+    let note = |word: &str| if usual == Some(word) { said.to_string() } else { String::new() };
     let fitting = choices.into_iter().filter(|w| begins(w, prefix));
     fitting.map(|w| Candidate { text: w.to_string(), note: note(w) }).collect()
 }

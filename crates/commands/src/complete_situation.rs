@@ -223,6 +223,18 @@ pub(crate) fn situation(text: &str) -> Situation {
     }
 }
 
+/// Parameters that have a whole value at the end of a text, with the first word of that value.
+pub(crate) fn given_values(text: &str) -> Vec<(String, String)> {
+    let tokens = scan(text).tokens;
+    let word = |token: &Token| text.get(token.start..token.end).unwrap_or("").to_string();
+    let pair = |t: &[Token]| {
+        let [name, equals, value] = t else { return None };
+        let whole = value.end < text.len() && matches!(value.kind, Kind::Word | Kind::Closed);
+        (name.kind == Kind::Word && equals.kind == Kind::Equals && whole).then(|| (word(name), word(value)))
+    };
+    tokens.windows(3).filter_map(pair).collect()
+}
+
 /// Sorts tokens into keywords and parameters; returns the parameter that a value is wanted for.
 fn arrange(text: &str, tokens: &[Token], place: &mut Place) -> Option<String> {
     let mut name: Option<String> = None;

@@ -341,7 +341,7 @@ impl Interpreter {
         let names: Vec<String> = dependents.iter().map(|d| self.database.full_name(*d)).collect();
         let warning = Diagnostic::warning(
             "variable/kept",
-            format!("the loop variable `{name}` is kept: {} objects refer to it", names.len()),
+            format!("the loop variable `{name}` is kept: {}", crate::words::referring(names.len())),
         )
         .at(call.span, "they all have the value of the last pass")
         .note(format!("it is used by {}", names.join(", ")))

@@ -181,7 +181,7 @@ pub const KEYWORDS: &[(&str, &str)] = &[
 
 /// Commands of Adams that are not known in full, and below which Flexure has some of its own: what is not
 /// one of these is skipped like any command that is known by name alone.
-pub const OPEN: &[&str] = &["section", "section create", "section modify"];
+pub const OPEN: &[&str] = &["section", "section create", "section modify", "view"];
 
 /// What it means that a command is not executed, by the longest path that fits.
 pub const MEANINGS: &[(&str, &str)] = &[

@@ -22,6 +22,9 @@ pub fn word_of(registry: &Registry, wanted: &str) -> String {
     if let Some(class) = registry.class(wanted) {
         return class.word.to_string();
     }
+    if wanted == "any" {
+        return "Object".into();
+    }
     let mut chars = wanted.chars();
     match chars.next() {
         Some(first) => first.to_uppercase().chain(chars).collect(),

@@ -2,6 +2,11 @@
 
 use text::{Diagnostic, Span};
 
+/// How many objects refer to something.
+pub fn referring(count: usize) -> String {
+    if count == 1 { "1 object refers to it".into() } else { format!("{count} objects refer to it") }
+}
+
 /// What an abbreviation may stand for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Match {

@@ -72,7 +72,8 @@ fn notes_name_type_unit_default_and_meaning() {
     assert!(note(&found, "i_marker_name =").starts_with("existing marker: "));
     // Nothing is preset where an object is changed.
     let found = i.complete("force modify element_like beam ");
-    assert!(note(&found, "youngs_modulus =").starts_with("real, newton/inch**2: "));
+    let modulus = note(&found, "youngs_modulus =");
+    assert!(modulus.starts_with("real, newton/inch**2, unchanged if not given: "), "{modulus}");
     let title = i.complete("defaults units length = ").title;
     assert!(title.starts_with("length: ") && title.contains("inch"), "{title}");
 }
@@ -85,6 +86,25 @@ fn words_are_offered_with_their_default_named() {
     assert_eq!(texts(&found), ["yes", "no"]);
     let found = i.complete("force create element_like beam formulation = ");
     assert_eq!(note(&found, "linear"), "default");
+}
+
+/// Where an object is changed its present values are offered, never what a new one would get.
+#[test]
+fn a_change_offers_what_is_there() {
+    let mut i = session();
+    let report = i.execute(
+        "force create element_like beam beam_name=.m.b i_marker_name=.m.arm.tip j_marker_name=.m.ground.same length=3 \
+         area=1 ixx=1 iyy=1 izz=1 youngs=2.0E5 shear=8.0E4 formulation=string\nmodel create model_name=other",
+    );
+    assert!(!report.has_errors(), "{:?}", report.diagnostics);
+    let change = "force modify element_like beam beam_name = .m.b";
+    let modulus = i.complete(&format!("{change} youngs_modulus = "));
+    assert_eq!(texts(&modulus), ["2.0E+05"]);
+    assert!(modulus.title.ends_with("(now 2.0E+05)") && !modulus.title.contains("default"), "{modulus:?}");
+    let formulation = i.complete(&format!("{change} formulation = "));
+    assert_eq!((note(&formulation, "string"), note(&formulation, "linear")), ("as it is", ""));
+    assert!(texts(&i.complete("force modify element_like beam beam_name = .m.none youngs_modulus = ")).is_empty());
+    assert_eq!(texts(&i.complete("force create element_like beam youngs_modulus = ")), ["1.0"]);
 }
 
 #[test]

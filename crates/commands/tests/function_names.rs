@@ -108,3 +108,36 @@ fn a_beam_may_share_its_name_with_a_force() {
     let classes: Vec<_> = f.objects().iter().map(|id| again.database.object(*id).class.id).collect();
     assert_eq!(classes, ["beam"]);
 }
+
+/// A force acts within its model.
+#[test]
+fn an_element_takes_no_marker_of_another_model() {
+    let mut i = cantilever();
+    let other = CANTILEVER.replace(".cant", ".other").replace("=cant", "=other");
+    assert!(i.execute(&other).diagnostics.is_empty());
+    let report = i.execute("force modify element_like beam beam_name=.cant.b1 j_marker_name=.other.ground.root");
+    let [error] = report.diagnostics.as_slice() else { panic!("{:?}", report.diagnostics) };
+    assert_eq!(error.code, "name/other-model");
+    assert_eq!(error.message, "`.other.ground.root` belongs to the model `.other`, the beam to `.cant`");
+    let b1 = i.database.find(".cant.b1", "beam").unwrap();
+    let j = i.database.reference(b1, "j_marker_name").unwrap();
+    assert_eq!(i.database.full_name(j), ".cant.ground.root");
+}
+
+/// Any object may be asked for: the complaint says so in words.
+#[test]
+fn messages_count_and_name_what_is_missing() {
+    let mut i = cantilever();
+    let said = |report: Report| report.diagnostics[0].message.clone();
+    assert_eq!(
+        said(i.execute("entity delete entity_name=.cant.nothing")),
+        "there is no object `.cant.nothing`: `.cant` has no `nothing`"
+    );
+    assert_eq!(
+        said(i.execute("marker delete marker_name=.cant.n2.tip")),
+        "`.cant.n2.tip` cannot be deleted: 1 object refers to it"
+    );
+    let report = i.execute("force modify element_like beam beam_name=.cant.b1 youngs=2GPa");
+    assert_eq!(report.diagnostics[0].code, "unit/unknown");
+    assert!(report.diagnostics[0].helps[0].text.contains("pascal, megapascal"), "{report:?}");
+}

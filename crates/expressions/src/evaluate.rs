@@ -369,12 +369,8 @@ pub(crate) fn bare_unit(unit: &str) -> &str {
 
 pub(crate) fn unknown_unit(unit: &str) -> Box<Diagnostic> {
     let bare = bare_unit(unit);
-    let mut diagnostic = Diagnostic::error("expression/unknown-unit", format!("`{bare}` is not a unit"));
-    let words = schema::unit_table().iter().map(|u| u.name);
-    if let Some(near) = crate::names::nearest(bare, words) {
-        diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
-    }
-    Box::new(diagnostic)
+    let diagnostic = Diagnostic::error("expression/unknown-unit", format!("`{bare}` is not a unit"));
+    Box::new(crate::unit_help::with_units(diagnostic, bare, None))
 }
 
 /// What a value is, for messages.

@@ -22,6 +22,7 @@ mod functions;
 
 mod cells;
 mod print;
+mod unit_help;
 
 pub use attributes::read_as_attribute;
 pub use bind::{Bound, bind};
@@ -32,4 +33,5 @@ pub use functions::{FunctionInfo, functions, refused_functions, sprintf};
 pub use names::{find_object, object_of};
 pub use print::{number_text, print};
 pub use scope::Scope;
+pub use unit_help::with_units;
 pub use world::World;

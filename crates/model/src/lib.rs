@@ -24,4 +24,4 @@ pub use names::{name_steps, quoted, split_name};
 pub use pose::{Pose, Sequence, angles_of, rotation_of};
 pub use settings::{CoordinateSystem, Settings, UnitsId};
 pub use stored::StoredObject;
-pub use undo::Mark;
+pub use undo::{Effect, Mark};

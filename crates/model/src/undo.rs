@@ -1,5 +1,7 @@
 //! Inverse changes: rollback of a failed command, undo and redo of whole steps.
 
+use std::collections::BTreeSet;
+
 use smallvec::SmallVec;
 
 use crate::{Cell, CellKey, Database, Object, ObjectId, Settings};
@@ -51,6 +53,36 @@ pub(crate) struct Place {
 /// A point in the record of changes to which one can roll back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mark(usize);
+
+/// What a step of undo or redo does to objects, each named once.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Effect {
+    /// Objects that will be gone.
+    pub goes: Vec<ObjectId>,
+    /// Objects that will be there.
+    pub comes: Vec<ObjectId>,
+    /// Objects that stay and change.
+    pub changes: Vec<ObjectId>,
+}
+
+impl Effect {
+    /// The effect of taking changes back.
+    fn of(step: &[Change]) -> Effect {
+        let (mut goes, mut comes, mut changes) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+        for change in step {
+            match change {
+                Change::Created { id } => goes.insert(*id),
+                Change::Removed { id, .. } => comes.insert(*id),
+                Change::Cell { key, .. } => changes.insert(key.object),
+                Change::Named { id, .. } => changes.insert(*id),
+                _ => false,
+            };
+        }
+        changes.retain(|id| !goes.contains(id) && !comes.contains(id));
+        let list = |ids: BTreeSet<ObjectId>| ids.into_iter().collect();
+        Effect { goes: list(goes), comes: list(comes), changes: list(changes) }
+    }
+}
 
 impl Change {
     fn concerns_settings(&self) -> bool {
@@ -130,6 +162,16 @@ impl Database {
     /// How many steps can be undone and redone.
     pub fn history_depth(&self) -> (usize, usize) {
         (self.history.done.len(), self.history.undone.len())
+    }
+
+    /// What undoing the last finished step will do.
+    pub fn next_undo(&self) -> Effect {
+        self.history.done.last().map_or_else(Effect::default, |step| Effect::of(step))
+    }
+
+    /// What redoing the step undone last will do.
+    pub fn next_redo(&self) -> Effect {
+        self.history.undone.last().map_or_else(Effect::default, |step| Effect::of(step))
     }
 
     /// Undoes the last step; false if there is none.

@@ -276,7 +276,7 @@ impl Reader<'_> {
             let error = Diagnostic::error("unit/unknown", format!("`{unit}` is not a unit"))
                 .at(span, "unknown unit")
                 .adams("Invalid input. Enter return or a parameter.");
-            return Err(vec![error]);
+            return Err(vec![expressions::with_units(error, unit, Some(field.dimension))]);
         };
         let units = self.database.units();
         // An angle unit on a rate or a stiffness concerns its angle alone.

@@ -63,6 +63,7 @@ impl Reader<'_> {
         if found.len() > field.count.most {
             return Err(vec![Self::count_error(field, argument, found.len())]);
         }
+        self.of_own_model(field, argument, &found)?;
         let value = match (many, found.as_slice()) {
             (false, [one]) => Value::Object(*one),
             (false, _) => Value::Nothing,
@@ -87,6 +88,30 @@ impl Reader<'_> {
             lookup::find(self.database, self.registry, name, wanted, span).map(|id| smallvec![id])
         };
         outcome.map(|found| (found, said)).map_err(|e| vec![e])
+    }
+
+    /// Forces and constraints act within their model.
+    fn of_own_model(&self, field: &Field, argument: &Argument, found: &[ObjectId]) -> Result<(), Errors> {
+        let acts = |class: &schema::Class| class.is("force") || class.is("constraint");
+        let Some(owner) = self.owner.filter(|o| self.database.get(*o).is_some_and(|o| acts(o.class))) else {
+            return Ok(());
+        };
+        let Some(own) = self.database.model_of(owner) else { return Ok(()) };
+        for id in found {
+            let Some(other) = self.database.model_of(*id).filter(|other| *other != own) else { continue };
+            let name = |id| self.database.full_name(id);
+            let word = self.database.object(owner).class.word.to_lowercase();
+            return Err(vec![
+                Diagnostic::error(
+                    "name/other-model",
+                    format!("`{}` belongs to the model `{}`, the {word} to `{}`", name(*id), name(other), name(own)),
+                )
+                .at(argument.value_span, "of another model")
+                .help(format!("choose a `{}` of `{}`", field.name, name(own)))
+                .adams("Invalid input. Enter '.' or an entity name."),
+            ]);
+        }
+        Ok(())
     }
 
     fn as_wanted(&self, id: ObjectId, wanted: &str, span: Span) -> Result<ObjectId, Errors> {

@@ -8,7 +8,7 @@ use super::{
     VerbEntry, entry,
     shared::{self, Outcome},
 };
-use crate::{Interpreter, call::Call, interpreter::Flow};
+use crate::{Interpreter, call::Call, interpreter::Flow, words::referring};
 
 const fn verb(path: &'static str, fields: &'static [Field]) -> VerbEntry {
     entry(Verb { path, fields, rules: &[], doc: "deletes objects and all that belongs to them" }, delete)
@@ -118,7 +118,7 @@ impl Interpreter {
             return Err(vec![
                 Diagnostic::error(
                     "name/has-dependents",
-                    format!("`{what}` cannot be deleted: {} objects refer to it", others.len()),
+                    format!("`{what}` cannot be deleted: {}", referring(others.len())),
                 )
                 .at(call.span, format!("used by {}", names.join(", ")))
                 .help("delete or change these first, or name them in the same command")

@@ -69,7 +69,7 @@ fn value_lines(database: &Database, id: ObjectId, field: &Field, cell: &Cell, br
     let text = match &cell.value {
         Value::Number(_) | Value::Array(_) => {
             let numbers = database.numbers(id, field.name).unwrap_or_default();
-            numbers.iter().map(|x| number::real(*x)).collect::<Vec<_>>().join(", ")
+            numbers.iter().map(|x| number::real(number::ten_decimals(*x))).collect::<Vec<_>>().join(", ")
         }
         Value::Flag(flag) => match field.kind {
             schema::Kind::Boolean(yes, no) => (if *flag { yes } else { no }).to_string(),

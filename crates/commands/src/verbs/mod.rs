@@ -74,6 +74,7 @@ pub static ALL: &[&VerbEntry] = &[
     &session::HELP,
     &session::PAUSE,
     &session::ABORT,
+    &session::VIEW_ERASE,
     &session::QUIT,
     &session::STOP,
     &session::EXIT,

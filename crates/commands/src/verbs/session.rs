@@ -29,6 +29,12 @@ pub const PAUSE: VerbEntry = refused(Verb {
     rules: &[],
     doc: "waits; Flexure goes on at once, as nobody is asked",
 });
+pub const VIEW_ERASE: VerbEntry = verb(
+    "view erase",
+    &[Field::text("view_name").doc("views to clear")],
+    erase,
+    "clears views of what is drawn in them; there are none here, so nothing is lost",
+);
 pub const ABORT: VerbEntry = verb(
     "abort",
     &[Field::yes_no("stop_all_commands").default_word("no").doc("leave all files and macros, not only the innermost")],
@@ -59,6 +65,12 @@ fn end(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     interpreter.flag_argument(call, "confirmation")?;
     interpreter.report.ended = true;
     Ok(Flow::Abort)
+}
+
+/// Every model that Adams writes has this line; no view shows anything that it could take away.
+#[allow(clippy::unnecessary_wraps)] // the signature of all verbs
+fn erase(_: &mut Interpreter, _: &Call) -> Outcome<Flow> {
+    Ok(Flow::Next)
 }
 
 fn help(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {

@@ -1,10 +1,14 @@
 //! `undo ...`: steps taken back and taken again, and blocks that count as one step.
 
+use model::{Database, ObjectId};
 use schema::{Field, Verb};
 use text::Diagnostic;
 
 use super::{VerbEntry, entry};
 use crate::{Interpreter, call::Call, interpreter::Flow};
+
+/// Objects of a step that are named; of more the number is said.
+const NAMED: usize = 3;
 
 type Outcome = Result<Flow, Vec<Diagnostic>>;
 
@@ -26,13 +30,45 @@ pub const SET: VerbEntry =
     verb("undo set", &[Field::integer("steps_stored").doc("steps kept")], set, "how many steps are kept");
 
 fn backward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    interpreter.names.forget();
-    if interpreter.database.undo() { Ok(Flow::Next) } else { nothing(call, "take back") }
+    step(interpreter, call, "take back", Database::undo)
 }
 
 fn forward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
+    step(interpreter, call, "do again", Database::redo)
+}
+
+/// Goes one step and says what it changes.
+fn step(interpreter: &mut Interpreter, call: &Call, what: &str, go: fn(&mut Database) -> bool) -> Outcome {
     interpreter.names.forget();
-    if interpreter.database.redo() { Ok(Flow::Next) } else { nothing(call, "do again") }
+    let back = what == "take back";
+    interpreter.database.finish_step();
+    let effect = if back { interpreter.database.next_undo() } else { interpreter.database.next_redo() };
+    let mut said = Vec::new();
+    said.extend(listed(&interpreter.database, &effect.goes, "is gone", "are gone"));
+    if !go(&mut interpreter.database) {
+        return nothing(call, what);
+    }
+    said.extend(listed(&interpreter.database, &effect.comes, "is there", "are there"));
+    said.extend(listed(&interpreter.database, &effect.changes, "is changed", "are changed"));
+    if said.is_empty() {
+        said.push("settings are changed".into());
+    }
+    let done = if back { "taken back" } else { "done again" };
+    interpreter.host.show(&[format!("{done}: {}", said.join("; "))]);
+    Ok(Flow::Next)
+}
+
+/// Objects with what becomes of them; many are counted.
+fn listed(database: &Database, objects: &[ObjectId], one: &str, many: &str) -> Option<String> {
+    let name = |id: &ObjectId| database.get(*id).map(|_| format!("`{}`", database.full_name(*id)));
+    let names: Vec<String> = objects.iter().take(NAMED).filter_map(name).collect();
+    let left = objects.len().saturating_sub(NAMED);
+    match (names.len(), left) {
+        (0, _) => None,
+        (1, 0) => Some(format!("{} {one}", names[0])),
+        (_, 0) => Some(format!("{} {many}", names.join(", "))),
+        _ => Some(format!("{} and {left} more {many}", names.join(", "))),
+    }
 }
 
 fn nothing(call: &Call, what: &str) -> Outcome {
