@@ -47,9 +47,16 @@ fn functions_that_cannot_be_used_are_errors_at_their_place() {
 
 #[test]
 fn functions_that_can_be_used_pass() {
-    for function in ["10*BEAM(b1,0,3,0)+STEP(TIME,0,0,1,1)", "DX(cm,root)*.m.k", "BEAM(1,0,3)*PI", "VARVAL(1)"] {
+    for function in [
+        "10*BEAM(b1,0,3,0)+STEP(TIME,0,0,1,1)",
+        "DX(cm,root)*.m.k",
+        "BEAM(1,0,3)*PI",
+        "VARVAL(1)",
+        "BEAM(b1,0,2,.m.axes)",
+    ] {
         let folder = TempDir::new().unwrap();
         let more = "variable create variable_name=.m.k real_value=2\n\
+                    variable create variable_name=.m.axes object_value=.m.ground.root\n\
                     force modify element_like beam beam_name=.m.b1 adams_id=1\n";
         let request = format!("output_control create request request_name=.m.r f2=\"{function}\"\n");
         fs::write(folder.path().join("m.cmd"), format!("{MODEL}{more}{request}")).unwrap();

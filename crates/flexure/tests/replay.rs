@@ -117,7 +117,7 @@ const DIALOGS: &str = "the loop goes over menus and tool bars of the product, wh
 /// Why the two differ: part of a line where they do (of the command or of what either says), and
 /// the reason.
 const REASONS: [(&str, &str); 8] = [
-    ("No Any named 'gui' was found", DIALOGS),
+    ("No Object named 'gui' was found", DIALOGS),
     ("obj=.gui.", DIALOGS),
     ("Graphic_Interface_Field", "the pattern means fields of dialogs of the product, which do not exist here"),
     ("=.icons.", "the symbol belongs to the product, and no command of the log makes it"),

@@ -64,7 +64,7 @@ fn a_placeholder_with_blanks_is_reported_and_the_next_argument_is_read() {
     assert_eq!(codes(text), [("syntax/continued-without-mark", "="), ("syntax/stray-text", "6x6 table")]);
     assert_eq!(
         common::statement(text, &flexure_syntax::command::parse(FileId(0), text).0[0]),
-        "force modify beam | terms = a | i_marker = marker_1 | j_marker = marker_2"
+        "force modify beam | terms = any | i_marker = marker_1 | j_marker = marker_2"
     );
 }
 

@@ -117,6 +117,9 @@ fn function_text(w: &mut Writer<'_>, id: ObjectId, field: &str) -> String {
 /// Refuses an object where the solver would take its number for that of another: ids are unique
 /// within a statement only.
 fn refuse_other_class(w: &mut Writer<'_>, id: ObjectId, object: ObjectId, wanted: &[&str]) {
+    // A variable may hold the object.
+    let held = w.database.get(object).and_then(|_| w.database.value(object, "object_value")).map(Value::objects);
+    let object = held.and_then(|held| held.first().copied()).unwrap_or(object);
     let Some(found) = w.database.get(object) else { return };
     let (Some(proper), Some(statement)) = (wanted.first(), found.class.statement) else { return };
     if statement != *proper {

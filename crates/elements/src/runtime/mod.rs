@@ -78,8 +78,17 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    /// An object by full name, by name below the model, or by number.
+    /// An object by its name or number, or by the variable that holds it.
     fn find(&self, name: &str, fits: &dyn Fn(&Class) -> bool) -> Option<ObjectId> {
+        self.find_itself(name, fits).or_else(|| {
+            let variable = self.find_itself(name, &|class| class.is("variable"))?;
+            let held = self.database.value(variable, "object_value").map(Value::objects).unwrap_or_default();
+            held.into_iter().find(|id| self.database.get(*id).is_some_and(|o| fits(o.class)))
+        })
+    }
+
+    /// An object by full name, by name below the model, or by number.
+    fn find_itself(&self, name: &str, fits: &dyn Fn(&Class) -> bool) -> Option<ObjectId> {
         let Finder { database, model } = *self;
         if let Ok(number) = name.parse::<i64>() {
             let has_it = |id: &ObjectId| number > 0 && database.integer(*id, "adams_id") == Some(number);
