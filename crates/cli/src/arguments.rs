@@ -169,7 +169,7 @@ pub struct BeamLoads {
     /// In the static equilibrium; with --at, from there on.
     #[arg(long = "static", conflicts_with = "result")]
     pub statics: bool,
-    /// After a dynamic simulation to this time, seconds; of --result, at its output nearest to it.
+    /// After a dynamic simulation to this time, or at the output of --result nearest to it; seconds.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub at: Option<f64>,
     /// As a run of this model recorded it (.csv, .parquet); without --at, at the end.
@@ -285,6 +285,9 @@ pub struct Verify {
     /// Where --fix writes the mended model.
     #[arg(long, value_name = "FILE", requires = "fix")]
     pub out: Option<PathBuf>,
+    /// With --fix: mend only findings of this code, as beam/length; can be repeated.
+    #[arg(long, value_name = "CODE", requires = "fix")]
+    pub only: Vec<String>,
 }
 
 #[derive(Debug, Args)]

@@ -79,3 +79,105 @@ fn a_b_spline_is_named_as_not_drawn() {
     assert!(errors.contains("geometry/not-drawn"), "{status} {shown}\n{errors}");
     assert!(errors.contains("`.m.p.spline`") && errors.contains("B-spline curves are not evaluated yet"), "{errors}");
 }
+
+/// What was changed is said, with an expression named as such; a fix that does not help is tried once and
+/// not counted; only what is asked for is mended; the file goes beside the original.
+#[test]
+fn mending_says_what_it_changes_and_does_no_more() {
+    let folder = TempDir::new().unwrap();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    let model = TRAPS.replace("y_shear_area_ratio=0.8333", "y_shear_area_ratio=(0.5+0.3)");
+    fs::write(folder.path().join("sub/bar.cmd"), &model).unwrap();
+    let (status, shown, errors) = run(&folder, &["verify", "sub/bar.cmd", "--fix"]);
+    assert_eq!(status, 1, "{errors}");
+    assert!(shown.contains("Model not verified: 1 error") && !shown.contains("verified successfully"), "{shown}");
+    for line in [
+        "mended: beam/length: length of `.m.bar` 201 -> 200",
+        "mended: beam/shear-ratio: y_shear_area_ratio of `.m.bar` 0.8, which was the expression (0.5 + 0.3), -> 1.25",
+        "i_marker_name of `.m.bar` .m.ground.j -> .m.p.i, j_marker_name of `.m.bar` .m.p.i -> .m.ground.j",
+    ] {
+        assert!(errors.contains(line), "{line}\n{errors}");
+    }
+    let beside = std::path::Path::new("sub").join("bar_fixed.cmd");
+    assert!(errors.contains(&format!("written to {}", beside.display())), "{errors}");
+    assert!(folder.path().join(&beside).exists() && !folder.path().join("bar_fixed.cmd").exists());
+
+    let only = ["verify", "sub/bar.cmd", "--fix", "--only", "beam/shear-ratio", "--out", "some.cmd"];
+    let (_, _, errors) = run(&folder, &only);
+    assert!(errors.contains("1 finding mended; written to some.cmd"), "{errors}");
+    let (_, _, errors) = run(&folder, &["verify", "some.cmd"]);
+    assert!(errors.contains("beam/ends-swapped") && !errors.contains("beam/shear-ratio"), "{errors}");
+}
+
+/// A damper of 1.0E5 beside a beam with a ratio of 1.0E-5 s: nothing is mended, and certainly not for ever.
+#[test]
+fn mending_ends() {
+    let folder = TempDir::new().unwrap();
+    let clean = TRAPS
+        .replace(
+            "i_marker_name=.m.ground.j j_marker_name=.m.p.i length=201",
+            "i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200",
+        )
+        .replace("0.8333", "1.2 damping_ratio=1.0E-5")
+        .replace("ixx=(20000/3+5000/3)", "ixx=4577.5");
+    let damper = "marker create marker_name=.m.ground.k location=200,0,0 orientation=0,0,0\n\
+                  force create element_like bushing bushing_name=.m.bush i_marker_name=.m.p.i j_marker_name=.m.ground.k \
+                  stiffness=0,0,0 tstiffness=0,0,0 damping=1E5,1E5,1E5 tdamping=1E9,1E9,1E9\n";
+    fs::write(folder.path().join("bar.cmd"), format!("{clean}{damper}")).unwrap();
+    let (status, _, errors) = run(&folder, &["verify", "bar.cmd", "--fix"]);
+    assert_eq!(status, 0, "{errors}");
+    assert!(errors.contains("0 findings mended"), "{errors}");
+}
+
+/// Notes are called notes and do not fail; a trouble is printed once; a model that was read in part is not
+/// called verified, and nothing is computed from it.
+#[test]
+fn findings_are_called_what_they_are() {
+    let folder = TempDir::new().unwrap();
+    let clean = TRAPS
+        .replace(
+            "i_marker_name=.m.ground.j j_marker_name=.m.p.i length=201",
+            "i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200",
+        )
+        .replace("0.8333", "1.2 formulation=nonlinear")
+        .replace("ixx=(20000/3+5000/3)", "ixx=4577.5");
+    fs::write(folder.path().join("note.cmd"), &clean).unwrap();
+    let (status, shown, errors) = run(&folder, &["verify", "note.cmd", "--json"]);
+    assert_eq!(status, 0, "{errors}");
+    let json: serde_json::Value = serde_json::from_str(&shown).unwrap();
+    assert_eq!(json["findings"][0]["code"], "beam/shear-ignored");
+    assert_eq!(json["findings"][0]["severity"], "note");
+
+    fs::write(folder.path().join("wrong.cmd"), clean.replace("2.07E5", "-2.07E5")).unwrap();
+    let (status, shown, errors) = run(&folder, &["verify", "wrong.cmd"]);
+    assert_eq!(status, 1);
+    let sentence = "`youngs_modulus` of beam `.m.bar` is -207000";
+    assert_eq!(format!("{shown}{errors}").matches(sentence).count(), 1, "{shown}\n{errors}");
+
+    fs::write(folder.path().join("part.cmd"), format!("{clean}marker create nonsense=1\n")).unwrap();
+    let (status, shown, _) = run(&folder, &["verify", "part.cmd"]);
+    assert!(status == 1 && !shown.contains("verified successfully"), "{shown}");
+    for command in ["beams", "modes"] {
+        let (status, _, errors) = run(&folder, &[command, "part.cmd"]);
+        assert!(status == 1 && errors.contains("the model has errors; nothing was computed"), "{errors}");
+    }
+}
+
+/// More findings than are printed: the command that is named lists them all.
+#[test]
+fn the_command_that_lists_all_findings_does() {
+    let folder = TempDir::new().unwrap();
+    let mut model = TRAPS.to_string();
+    for k in 0..250 {
+        model += &format!(
+            "force create element_like beam beam_name=.m.b{k} i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200 \
+             area_of_cross_section=200 ixx=4577.5 iyy=(20000/3) izz=(5000/3) youngs_modulus=2.07E5 shear_modulus=8.0E4 \
+             y_shear_area_ratio=0.8\n"
+        );
+    }
+    fs::write(folder.path().join("many.cmd"), model).unwrap();
+    let (_, _, errors) = run(&folder, &["verify", "many.cmd"]);
+    assert!(errors.contains("more; `flexure verify --json` lists them all"), "{errors}");
+    let (_, shown, _) = run(&folder, &["verify", "many.cmd", "--json"]);
+    assert_eq!(shown.matches("\"code\": \"beam/shear-ratio\"").count(), 251);
+}

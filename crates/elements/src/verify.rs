@@ -9,6 +9,7 @@ use solver::Dae;
 use text::Diagnostic;
 
 use crate::{
+    forces::beam::lower::SHEAR_IGNORED,
     lower::{Lowered, Options, active_objects, lower},
     shelf,
 };
@@ -17,18 +18,26 @@ use crate::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     pub diagnostic: Diagnostic,
-    /// A command of the command language.
+    /// Commands of the command language.
     pub fix: Option<String>,
+    /// What it is about.
+    pub object: Option<ObjectId>,
 }
 
 impl Finding {
     pub fn new(diagnostic: Diagnostic) -> Finding {
-        Finding { diagnostic, fix: None }
+        Finding { diagnostic, fix: None, object: None }
     }
 
     #[must_use]
     pub fn fixed_by(mut self, command: impl Into<String>) -> Finding {
         self.fix = Some(command.into());
+        self
+    }
+
+    #[must_use]
+    pub fn about(mut self, object: ObjectId) -> Finding {
+        self.object = Some(object);
         self
     }
 }
@@ -39,7 +48,9 @@ pub fn verify(database: &Database, model: ObjectId) -> Vec<Finding> {
     let mut findings = Vec::new();
     for object in active_objects(database, model) {
         if let Some(check) = shelf::element(database.object(object).class).and_then(|e| e.verify) {
+            let first = findings.len();
             check(database, object, &mut findings);
+            findings[first..].iter_mut().for_each(|finding| finding.object = Some(object));
         }
     }
     let reported = match lower(database, model, Options::default()) {
@@ -52,7 +63,7 @@ pub fn verify(database: &Database, model: ObjectId) -> Vec<Finding> {
     };
     for diagnostic in reported {
         let known = findings.iter().any(|f| f.diagnostic.message == diagnostic.message);
-        if !known && diagnostic.severity != text::Severity::Note {
+        if !known && (diagnostic.severity != text::Severity::Note || diagnostic.code == SHEAR_IGNORED) {
             findings.push(Finding::new(diagnostic));
         }
     }
@@ -177,14 +188,16 @@ impl Reduced {
     }
 }
 
-/// The report of `model verify` in Adams' words. Models that cannot be lowered give the errors.
-pub fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
+/// The report of `model verify` in Adams' words. Models that cannot be lowered give the errors, and only one
+/// whose findings hold no error is called verified.
+pub fn verify_report(database: &Database, model: ObjectId, findings: &[Finding]) -> Vec<String> {
     let name = database.full_name(model);
     let mut lines = vec![format!("VERIFY MODEL: {name}"), String::new()];
     let mut lowered = match lower(database, model, Options::default()) {
         Ok(lowered) => lowered,
         Err(diagnostics) => {
             lines.extend(diagnostics.iter().filter(|d| d.is_error()).map(|d| format!("ERROR:  {}", d.message)));
+            lines.extend([String::new(), verdict(findings, 1)]);
             return lines;
         }
     };
@@ -217,8 +230,17 @@ pub fn verify_report(database: &Database, model: ObjectId) -> Vec<String> {
         lines.extend(table.into_iter().map(|(left, right)| format!("{left:width$}{right}")));
     }
     lines.push(String::new());
-    lines.push("Model verified successfully".into());
+    lines.push(verdict(findings, 0));
     lines
+}
+
+/// The last line: Adams' own words, which knows no traps, only for a model without errors.
+fn verdict(findings: &[Finding], least: usize) -> String {
+    match findings.iter().filter(|f| f.diagnostic.is_error()).count().max(least) {
+        0 => "Model verified successfully".into(),
+        1 => "Model not verified: 1 error".into(),
+        n => format!("Model not verified: {n} errors"),
+    }
 }
 
 /// `1 Moving Parts`, as Adams counts; words that end in `s` get `es`.

@@ -18,7 +18,7 @@ pub enum BeamsAt<'a> {
     Equilibrium,
     /// A dynamic simulation's end, s; from the static equilibrium if asked for.
     Time { end: f64, statics: bool },
-    /// The row of a results table nearest to a time (in the table's unit), or its last row.
+    /// The row of a results table of the model nearest to a time, s, or its last row.
     Table { table: &'a Table, time: Option<f64> },
 }
 
@@ -128,8 +128,8 @@ pub(crate) fn from_table(
                 .help("`force create element_like beam` makes one, `flexible_link create` a chain of them"),
         ]);
     }
-    let row = row(table, time)?;
     let units = database.units();
+    let row = row(table, time.map(|t| t / units.factor(Dimension::TIME)), &units.label(Dimension::TIME))?;
     let mut report = BeamsReport {
         time: table.series.first().and_then(|s| s.values.get(row)).copied().unwrap_or_default(),
         units: COLUMNS.map(|(_, dimension)| units.label(dimension)),
@@ -168,8 +168,8 @@ fn active_beams(database: &Database, model: ObjectId) -> Vec<ObjectId> {
     active
 }
 
-/// The row of a table nearest to a time, the last one without.
-fn row(table: &Table, time: Option<f64>) -> Result<usize, Vec<Diagnostic>> {
+/// The row of a table nearest to a time in its unit, the last one without.
+fn row(table: &Table, time: Option<f64>, unit: &str) -> Result<usize, Vec<Diagnostic>> {
     let times = table.series.first().map_or(&[][..], |s| s.values.as_slice());
     let (Some(first), Some(last)) = (times.first(), times.last()) else {
         return Err(vec![Diagnostic::error("beams/no-rows", "the results have no rows").help("run the model again")]);
@@ -179,8 +179,8 @@ fn row(table: &Table, time: Option<f64>) -> Result<usize, Vec<Diagnostic>> {
     let margin = if times.len() > 1 { 0.5 * (last - first) / (times.len() - 1) as f64 } else { 1e-9 };
     if !(first - margin..=last + margin).contains(&time) {
         return Err(vec![
-            Diagnostic::error("beams/no-such-time", format!("the results have no time {time}"))
-                .help(format!("they go from {first} to {last}")),
+            Diagnostic::error("beams/no-such-time", format!("the results have no time {time} {unit}"))
+                .help(format!("they go from {first} to {last} {unit}")),
         ]);
     }
     let distance = |k: &usize| (times[*k] - time).abs();

@@ -50,8 +50,9 @@ impl Host for EngineHost {
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {
-        let report = elements::verify_report(database, model);
-        (report, elements::verify(database, model).into_iter().map(|f| f.diagnostic).collect())
+        let findings = elements::verify(database, model);
+        let report = elements::verify_report(database, model, &findings);
+        (report, findings.into_iter().map(|f| f.diagnostic).collect())
     }
 
     fn generate_ids(&mut self, database: &mut Database, model: ObjectId) -> Result<(), Vec<Diagnostic>> {

@@ -74,8 +74,11 @@ fn look_at(database: &Database, model: ObjectId, groups: &[Vec<Damped>]) -> Opti
     for group in groups {
         match lowest(&mut search, system, state, group, &loads)? {
             Lowest::Creeps(mode, taken) => findings.push(overdamped(database, group, &mode, taken)),
-            Lowest::Swings => {}
+            Lowest::Swings => continue,
             Lowest::Unknown => findings.push(unknown(database, group)),
+        }
+        if let (Some(finding), Some(first)) = (findings.last_mut(), group.first()) {
+            finding.object = Some(first.beam);
         }
     }
     Some(findings)

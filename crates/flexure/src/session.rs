@@ -377,7 +377,11 @@ impl Session {
         let Some(model) = self.model() else { return Verification::default() };
         let mut findings = elements::verify(self.database(), model);
         findings.extend(crate::overdamped::find(self.database(), model));
-        Verification { report: elements::verify_report(self.database(), model), findings }
+        if self.nonlinear_beams_shear() {
+            findings.retain(|f| f.diagnostic.code != elements::forces::beam::lower::SHEAR_IGNORED);
+        }
+        let report = elements::verify_report(self.database(), model, &findings);
+        Verification { report, findings }
     }
 
     /// Executes the commands that mend findings.

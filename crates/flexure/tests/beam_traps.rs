@@ -292,6 +292,106 @@ fn data_that_are_zero_or_negative() {
     }
 }
 
+/// Truth: the torsion constant is at most the polar moment; iyy + izz is 8333.33 here. A tube whose numbers
+/// have three digits is none of these.
+#[test]
+fn a_torsion_constant_above_the_polar_moment() {
+    not_mended(
+        "force modify element_like beam ixx=45775",
+        "beam/torsion-constant",
+        &["`ixx` of beam `.m.bar` is 45775, more than iyy + izz, 8333.33", "which of the three"],
+    );
+    let tube = session("force modify element_like beam ixx=982 iyy=490 izz=490 area_of_cross_section=78.5");
+    assert!(found(&tube, "beam/torsion-constant").is_none());
+}
+
+#[test]
+fn moments_of_zero() {
+    for (cell, effect) in [("ixx", "twisting"), ("iyy", "bending about y"), ("izz", "bending about z")] {
+        not_mended(
+            &format!("force modify element_like beam {cell}=0"),
+            "beam/zero-moment",
+            &[&format!("`{cell}` of beam `.m.bar` is 0: nothing resists {effect}"), "not in the model"],
+        );
+    }
+}
+
+/// Truth: E / 2G - 1 is 2.07e5 / (2 * 1.2e5) - 1 = -0.1375 and 2.07e5 / 1.2e5 - 1 = 0.725; rubber has 0.5.
+#[test]
+fn moduli_of_no_material() {
+    for (shear, poisson) in [("1.2E5", "-0.1375"), ("6.0E4", "0.725")] {
+        not_mended(
+            &format!("force modify element_like beam shear_modulus={shear}"),
+            "beam/moduli",
+            &[&format!("Poisson's ratio would be {poisson}"), "ignore this where the moduli differ on purpose"],
+        );
+    }
+    for shear in ["1.035E5", "6.9E4"] {
+        clean(&session(&format!("force modify element_like beam shear_modulus={shear}")));
+    }
+}
+
+/// Truth: of [2 3; 3 2] times rates (1, -1) the power is 2 + 2 - 6 = -2, and with ones on the diagonal the
+/// lower eigenvalue is 1 - 1.5 = -0.5. The stiffness matrix of a beam is a proper damping matrix.
+#[test]
+fn damping_that_feeds_energy() {
+    let terms = |c: &[[f64; 6]; 6]| {
+        let triangle = (0..6).flat_map(|column| (column..6).map(move |row| format!("{:?}", c[row][column])));
+        format!("force modify element_like beam matrix_of_damping_terms={}", triangle.collect::<Vec<_>>().join(","))
+    };
+    let mut c = [[0.0; 6]; 6];
+    for (k, row) in c.iter_mut().enumerate() {
+        row[k] = 2.0;
+    }
+    assert!(found(&session(&terms(&c)), "beam/damping-feeds").is_none());
+    (c[1][5], c[5][1]) = (3.0, 3.0);
+    let session_of = terms(&c);
+    not_mended(
+        &session_of,
+        "beam/damping-feeds",
+        &["gives energy to a motion", "take the power -2 ", "has the eigenvalue -0.5;", "which of the terms"],
+    );
+    // Coupled without a diagonal of its own.
+    (c[5][5], c[1][5], c[5][1]) = (0.0, 1e-3, 1e-3);
+    assert!(found(&session(&terms(&c)), "beam/damping-feeds").is_some());
+    let stiffness = [
+        [2e5, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 12e3, 0.0, 0.0, 0.0, -6e5],
+        [0.0, 0.0, 12e3, 0.0, 6e5, 0.0],
+        [0.0, 0.0, 0.0, 1e6, 0.0, 0.0],
+        [0.0, 0.0, 6e5, 0.0, 4e7, 0.0],
+        [0.0, -6e5, 0.0, 0.0, 0.0, 4e7],
+    ];
+    assert!(found(&session(&terms(&stiffness)), "beam/damping-feeds").is_none());
+}
+
+/// NONLINEAR beams do not shear unless they are told to.
+#[test]
+fn shear_ratios_that_are_not_used() {
+    let mut nonlinear = session("force modify element_like beam formulation=nonlinear");
+    let one = found(&nonlinear, "beam/shear-ignored").unwrap();
+    assert_eq!(one.diagnostic.severity, flexure::text::Severity::Note);
+    assert!(text(&one).contains("`y_shear_area_ratio` of the NONLINEAR beam `.m.bar` is not used"), "{}", text(&one));
+    assert!(text(&one).contains("--nonlinear-shear"), "{}", text(&one));
+    let said = |s: &mut Session| {
+        let found = s.modes(&flexure::ModesAbout::Present).unwrap().diagnostics;
+        found.iter().any(|d| d.code == "beam/shear-ignored")
+    };
+    assert!(said(&mut nonlinear));
+    nonlinear.shear_nonlinear_beams(true);
+    assert!(!said(&mut nonlinear));
+    clean(&nonlinear);
+    clean(&session("force modify element_like beam formulation=nonlinear y_shear_area_ratio=0 z_shear_area_ratio=0"));
+}
+
+/// The fix takes the ratio away; no command takes a matrix away, and none is advised.
+#[test]
+fn damping_that_is_given_twice() {
+    let matrix = "matrix_of_damping_terms=1,0,0,0,0,0,1,0,0,0,0,1,0,0,0,1,0,0,1,0,1";
+    let both = format!("force modify element_like beam damping_ratio=1.0E-5 {matrix}");
+    clean(&mended(&both, "beam/damping-twice", &["set `damping_ratio` to 0, as the fix does", "create the beam anew"]));
+}
+
 #[test]
 fn both_markers_on_one_part() {
     not_mended(

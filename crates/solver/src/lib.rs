@@ -5,7 +5,7 @@
 //! tells an [`Observer`] what it finds.
 
 mod dae;
-mod dense;
+pub mod dense;
 pub mod initial;
 mod integrators;
 pub mod linear;

@@ -6,7 +6,7 @@ use flexure::{BeamState, BeamsAt, BeamsReport};
 
 use crate::Outcome;
 use crate::arguments::{BeamLoads, DiffFormat};
-use crate::commands::{complain, open, picture_format, picture_size, print, session, set_beams, shown};
+use crate::commands::{complain, open, picture_format, picture_size, print_found, session, set_beams, shown};
 use crate::output::read_table;
 
 /// Beside the largest of its kind a value below this part of it is a zero with rounding.
@@ -26,6 +26,7 @@ pub(super) fn execute(request: &BeamLoads) -> Outcome {
     set_beams(&mut session, &request.beams);
     session.simulate_nothing(true);
     if !open(&mut session, &request.model, &request.edits) {
+        complain("the model has errors; nothing was computed");
         return Outcome::Findings;
     }
     session.simulate_nothing(false);
@@ -46,11 +47,11 @@ pub(super) fn execute(request: &BeamLoads) -> Outcome {
     let report = match session.beams(&at) {
         Ok(report) => report,
         Err(diagnostics) => {
-            print(&session, &diagnostics);
+            print_found(&session, &diagnostics);
             return Outcome::Findings;
         }
     };
-    print(&session, &report.diagnostics);
+    print_found(&session, &report.diagnostics);
     match request.format {
         DiffFormat::Json => println!("{:#}", json(&report)),
         DiffFormat::Text => print_table(&report, request.most),

@@ -69,8 +69,20 @@ pub(crate) fn set_recording(session: &mut Session, record: Recording) {
 /// Diagnostics printed of one report; a file that is no command file has thousands.
 const MOST_PRINTED: usize = 200;
 
-/// Prints diagnostics to standard error.
+/// Prints what was said when a model was read to standard error.
 pub(crate) fn print(session: &Session, diagnostics: &[Diagnostic]) {
+    print_some(session, diagnostics, "; `flexure check --format json` lists them all");
+}
+
+/// Prints what was found in a model to standard error.
+fn print_found(session: &Session, diagnostics: &[Diagnostic]) {
+    // Nothing lists what only a run says.
+    let listed = diagnostics.iter().skip(MOST_PRINTED).all(|d| !d.code.starts_with("run/"));
+    print_some(session, diagnostics, if listed { "; `flexure verify --json` lists them all" } else { "" });
+}
+
+/// Prints so many as one reads, and says where the others are.
+fn print_some(session: &Session, diagnostics: &[Diagnostic], others: &str) {
     if diagnostics.is_empty() {
         return;
     }
@@ -78,7 +90,7 @@ pub(crate) fn print(session: &Session, diagnostics: &[Diagnostic]) {
     let (shown, left) = diagnostics.split_at(diagnostics.len().min(MOST_PRINTED));
     eprint!("{}", session.render(shown, colour));
     if !left.is_empty() {
-        eprintln!("... and {} more; `flexure check --format json` lists them all", left.len());
+        eprintln!("... and {} more{others}", left.len());
     }
 }
 

@@ -7,13 +7,14 @@ use flexure::{Mode, ModesAbout};
 
 use crate::Outcome;
 use crate::arguments::Modes;
-use crate::commands::{complain, open, print, session, set_beams};
+use crate::commands::{complain, open, print_found, session, set_beams};
 
 pub(super) fn execute(modes: &Modes) -> Outcome {
     let mut session = session();
     set_beams(&mut session, &modes.beams);
     session.simulate_nothing(true);
     if !open(&mut session, &modes.model, &modes.edits) {
+        complain("the model has errors; nothing was computed");
         return Outcome::Findings;
     }
     let about = match (&modes.about, modes.spin) {
@@ -24,11 +25,11 @@ pub(super) fn execute(modes: &Modes) -> Outcome {
     let found = match session.modes(&about) {
         Ok(found) => found,
         Err(diagnostics) => {
-            print(&session, &diagnostics);
+            print_found(&session, &diagnostics);
             return Outcome::Findings;
         }
     };
-    print(&session, &found.diagnostics);
+    print_found(&session, &found.diagnostics);
     if modes.json {
         let list: Vec<_> = found
             .modes

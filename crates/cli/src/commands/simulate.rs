@@ -6,7 +6,7 @@ use flexure::{Analysis, Outputs, SimulationOptions};
 
 use crate::Outcome;
 use crate::arguments::Simulate;
-use crate::commands::{complain, open, print, session, set_beams, set_recording};
+use crate::commands::{complain, open, print_found, session, set_beams, set_recording};
 use crate::output::{Target, extension};
 use crate::progress::Watcher;
 
@@ -60,7 +60,7 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
                 }
             }
             Err(diagnostics) => {
-                print(&session, &diagnostics);
+                print_found(&session, &diagnostics);
                 outcome = Outcome::Findings;
                 break;
             }

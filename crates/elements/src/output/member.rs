@@ -54,7 +54,8 @@ pub(crate) fn add(lowering: &mut Lowering<'_>, element: model::ObjectId, force: 
 
 /// How far the loads that an element puts on its bodies are from balance: the sum of forces and the sum
 /// of moments about J, as parts of the largest force and the largest moment. Each load is taken as the
-/// equations get it, at the centre of mass of its body. Rounding, if all is well.
+/// equations get it, at the centre of mass of its body. Rounding, if all is well: where a force acts along
+/// the line to J its moment is rounding itself, so that a force on its distance counts as a moment too.
 fn residual(force: &dyn Force, state: &State) -> f64 {
     let Some(at) = force.frame(Side::J) else { return 0.0 };
     let mut sum = Sum { about: state.frame(at).r_gi_g, ..Sum::default() };
@@ -77,11 +78,10 @@ struct Sum {
 
 impl Sum {
     fn add(&mut self, at: DVec3, f_g: DVec3, t_g: DVec3) {
-        let arm = (at - self.about).cross(f_g);
         self.force += f_g;
-        self.moment += arm + t_g;
+        self.moment += (at - self.about).cross(f_g) + t_g;
         self.largest_force = self.largest_force.max(f_g.length());
-        self.largest_moment = self.largest_moment.max(arm.length()).max(t_g.length());
+        self.largest_moment = self.largest_moment.max((at - self.about).length() * f_g.length()).max(t_g.length());
     }
 }
 

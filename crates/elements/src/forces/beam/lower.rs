@@ -18,10 +18,43 @@ pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
     let troubles = law.as_ref().err().into_iter().flatten().cloned();
     lowering.diagnostics.extend(troubles);
     let (Some(i), Some(j), Ok(law)) = (i, j, law) else { return };
+    if !lowering.options.nonlinear_shear {
+        say_what_is_ignored(lowering, beam);
+    }
     let angles = lowering.options.beam_angles;
     let bodies = [lowering.body_of_frame(i), lowering.body_of_frame(j)];
     let force = Beam { name: lowering.name(beam), i, j, bodies, law: Law { angles, ..law } };
     lowering.add_force(beam, Box::new(force));
+}
+
+/// Code of the note about ratios that are not used.
+pub const SHEAR_IGNORED: &str = "beam/shear-ignored";
+
+/// One note for all NONLINEAR beams with shear ratios, with the first of them.
+fn say_what_is_ignored(lowering: &mut Lowering<'_>, beam: ObjectId) {
+    let database = lowering.database;
+    let ignored = |beam: ObjectId| {
+        let nonlinear = database.text(beam, "formulation").is_some_and(|word| word.eq_ignore_ascii_case("nonlinear"));
+        let given = |cell: &&str| database.number(beam, cell).is_some_and(|ratio| ratio != 0.0);
+        ["y_shear_area_ratio", "z_shear_area_ratio"].into_iter().filter(given).find(|_| nonlinear)
+    };
+    let (Some(cell), false) = (ignored(beam), lowering.diagnostics.iter().any(|d| d.code == SHEAR_IGNORED)) else {
+        return;
+    };
+    let is_beam = |id: &&ObjectId| database.object(**id).class.id == "beam";
+    let active = crate::active_objects(database, lowering.model);
+    let count = active.iter().filter(is_beam).filter(|id| ignored(**id).is_some()).count();
+    let rest = if count > 1 { format!(", and so are those of {} more", count - 1) } else { String::new() };
+    let name = lowering.name(beam);
+    lowering.diagnostics.push(
+        Diagnostic::new(
+            text::Severity::Note,
+            SHEAR_IGNORED,
+            format!("`{cell}` of the NONLINEAR beam `{name}` is not used{rest}"),
+        )
+        .note("NONLINEAR beams do not shear (Euler and Bernoulli)")
+        .help("`--nonlinear-shear` of `flexure simulate`, `modes`, `beams` and `run` lets them"),
+    );
 }
 
 /// Section data in SI, unchecked; what is not given counts as the default the schema states.

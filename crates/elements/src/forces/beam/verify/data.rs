@@ -4,7 +4,7 @@ use model::{Database, ObjectId};
 use schema::Dimension;
 use text::Diagnostic;
 
-use super::{exact, place::Placement, torsion};
+use super::{doubtful, exact, place::Placement, torsion};
 use crate::forces::beam::{
     lower::{law, wrong_data},
     physics::Section,
@@ -32,6 +32,7 @@ pub(super) fn find(
     shear_ratios(&name, s, findings);
     ones(database, beam, &name, findings);
     polar_moment(database, &name, s, findings);
+    doubtful::find(database, beam, s, findings);
     damping_twice(database, beam, &name, findings);
 }
 
@@ -143,7 +144,7 @@ fn damping_twice(database: &Database, beam: ObjectId, name: &str, findings: &mut
             Finding::new(
                 Diagnostic::warning("beam/damping-twice", format!("the damping of beam `{name}` is given twice"))
                     .note(format!("`matrix_of_damping_terms` is used and `damping_ratio`, {}, is not", number(ratio)))
-                    .help("set `damping_ratio` to 0, or modify the beam without the matrix"),
+                    .help("set `damping_ratio` to 0, as the fix does; for the ratio instead, create the beam anew without the matrix: no command takes a matrix away"),
             )
             .fixed_by(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
         );

@@ -5,6 +5,7 @@
 //! would have to guess, a note begins with `no fix is offered:` and says what is not known.
 
 mod data;
+mod doubtful;
 mod place;
 mod torsion;
 
