@@ -355,3 +355,37 @@ fn angles_of_linear_beams_are_measured_as_asked_for() {
     let (status, _, errors) = run(&folder, &["beams", "m.cmd", "--beam-angles", "euler"]);
     assert!(status == 2 && errors.contains("projected") && errors.contains("rotvec"), "{errors}");
 }
+
+/// Truth: a beam that is only pulled has no moment but rounding, which is nothing to measure the balance
+/// by: force times distance is 2E4 N m, of which rounding is 1E-16.
+#[test]
+fn a_beam_that_is_only_pulled_balances() {
+    for degrees in [30.0_f64, 17.3, 50.0, 71.0] {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let at = |r: f64| format!("{:?},{:?},0", r * cosine, r * sine);
+        let turned = format!("{degrees:?},0,0");
+        let mut commands = UNITS.to_string();
+        part(&mut commands, "a", "0,0,0");
+        commands += &format!("marker modify marker_name=.m.a.cm location={}\n", at(1.37));
+        marker(&mut commands, "a.i", &at(1.001), &turned);
+        marker(&mut commands, "ground.root", "0,0,0", &turned);
+        beam(&mut commands, "one", "a.i", "ground.root", "length=1");
+        let found = report(&folder(&commands), &["m.cmd"]);
+        close("N", found["beams"][0]["n"].as_f64().unwrap(), 2e4, 1e-6);
+        close("balance", found["beams"][0]["residual"].as_f64().unwrap(), 0.0, 1e-12);
+    }
+}
+
+/// Twin: `--at` means seconds of a run and of a results file alike, also where the model's unit is another.
+#[test]
+fn at_is_in_seconds_whatever_the_unit_of_the_model() {
+    let folder = folder(&format!("{}defaults units time=millisecond\n", cantilever("linear")));
+    fine(&folder, &["simulate", "m.cmd", "--end", "0.4", "--steps", "1", "--beam-loads", "--out", "r.csv"]);
+    let recorded = report(&folder, &["m.cmd", "--result", "r.csv", "--at", "0.4"]);
+    let own = report(&folder, &["m.cmd", "--at", "0.4"]);
+    assert_eq!((&recorded["time"], &own["time"]), (&Value::from(400.0), &Value::from(400.0)));
+    assert_eq!(recorded["beams"], own["beams"]);
+    assert_eq!(report(&folder, &["m.cmd", "--result", "r.csv", "--at", "0"])["time"], 0.0);
+    let (status, _, errors) = run(&folder, &["beams", "m.cmd", "--result", "r.csv", "--at", "400"]);
+    assert!(status == 1 && errors.contains("they go from 0 to 400 millisecond"), "{errors}");
+}
