@@ -16,5 +16,5 @@ mod write;
 
 pub use ids::number_objects;
 pub use number::{Digits, number};
-pub use read::{Argument, Loaded, Naming, Statement, Statements, read, read_statements};
+pub use read::{Argument, Loaded, Naming, Statement, Statements, looks_like_dataset, read, read_statements};
 pub use write::{Mass, MassOf, Options, Written, write};

@@ -1,6 +1,6 @@
 //! The words of datasets for units.
 
-use schema::{Dimension, UnitName};
+use schema::{Dimension, UnitName, UnitSystem};
 
 /// Units and the words of a dataset for them.
 const UNIT_WORDS: &[(&str, &str)] = &[
@@ -44,6 +44,11 @@ const UNIT_WORDS: &[(&str, &str)] = &[
     ("hour", "HOUR"),
     ("day", "DAY"),
 ];
+
+/// The arguments of UNITS that name a unit each.
+pub(crate) fn arguments(units: &UnitSystem) -> [(&'static str, &'static UnitName); 4] {
+    [("FORCE", units.force), ("MASS", units.mass), ("LENGTH", units.length), ("TIME", units.time)]
+}
 
 /// The word of a dataset for a unit.
 pub(crate) fn solver_unit(name: &str) -> Option<&'static str> {

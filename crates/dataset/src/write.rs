@@ -90,12 +90,11 @@ const SECTIONS: &[(&str, &[&str])] = &[
     ("OUTPUT", &["REQUEST"]),
     ("EXECUTION CONTROL", &["SENSOR"]),
 ];
-const SETTINGS: &[&str] = &["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"];
 
 /// Whether the writer knows a statement.
-fn known(statement: &str) -> bool {
+pub(crate) fn known(statement: &str) -> bool {
     ["PART", "POINT_MASS", "MARKER", "GRAPHICS", "ACCGRAV", "CONTACT"].contains(&statement)
-        || SETTINGS.contains(&statement)
+        || statements::is_setting(statement)
         || SECTIONS.iter().any(|(_, kinds)| kinds.contains(&statement))
 }
 
@@ -116,10 +115,13 @@ pub(crate) struct Writer<'a> {
 impl Writer<'_> {
     fn model(&mut self, model: ObjectId) {
         let name = self.database.object(model).name.clone();
-        self.lines.push(format!("{TITLE}{name}"));
+        let title = self.database.text(model, "title").filter(|title| !title.trim().is_empty());
+        let title = title.map_or_else(|| format!("{TITLE}{name}"), |title| title.replace(['\n', '\r'], " "));
+        self.lines.push(title);
         let comments = statements::texts(self.database, model, "comments");
-        if !comments.is_empty() {
-            self.lines.extend(comments.iter().map(|c| comment(c)));
+        self.lines.extend(comments.iter().map(|c| comment(c)));
+        // What stands behind the line that ends them belongs to UNITS.
+        if !comments.is_empty() && !comments.iter().any(|c| c.trim() == END_OF_MODEL_COMMENTS) {
             self.lines.push(comment(END_OF_MODEL_COMMENTS));
         }
         self.banner("SYSTEM UNITS");
@@ -142,9 +144,7 @@ impl Writer<'_> {
     fn units(&mut self) {
         let units: &UnitSystem = self.database.units();
         let mut lines = Lines::new("UNITS", None);
-        for (keyword, unit) in
-            [("FORCE", units.force), ("MASS", units.mass), ("LENGTH", units.length), ("TIME", units.time)]
-        {
+        for (keyword, unit) in unit_words::arguments(units) {
             if let Some(word) = unit_words::solver_unit(unit.name) {
                 lines.argument(keyword, word);
             } else {
@@ -250,8 +250,8 @@ impl Writer<'_> {
 
     fn settings(&mut self, model: ObjectId) {
         self.banner("ANALYSIS SETTINGS");
-        for statement in SETTINGS {
-            let object = self.by_number(model, |s, _| s == *statement).pop();
+        for statement in statements::setting_names() {
+            let object = self.by_number(model, |s, _| s == statement).pop();
             if let Some(lines) = statements::settings(self, statement, object) {
                 self.lines.push("!".to_string());
                 self.lines.extend(lines.finish());

@@ -35,7 +35,9 @@ BEAM/9 is ignored
 #[test]
 fn statements_have_names_numbers_arguments_and_comments() {
     let found = split(TEXT);
-    assert_eq!(found.diagnostics, []);
+    // What stands behind END and looks like a statement is named.
+    let codes: Vec<_> = found.diagnostics.iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["dataset/behind-end"]);
     assert_eq!(found.title, "a title, whatever/it says");
     let names: Vec<_> = found.statements.iter().map(|s| (s.name, s.id)).collect();
     assert_eq!(names, [("PART", Some(2)), ("REQUEST", Some(7)), ("SFORCE", Some(3)), ("ACCGRAV", None)]);
@@ -78,4 +80,15 @@ fn no_text_crashes_the_reader() {
         let _ = split(&TEXT[..end]);
     }
     let _ = split("\u{0}\n/,=\n,,,\n=\n\"(\n!\u{e4}\n/1\u{20ac}");
+}
+
+/// Files whose ending says what they are not.
+#[test]
+fn datasets_are_told_from_other_texts() {
+    for text in ["t\nPART/1", "t\n! note\n\n  units/", "PART/1, GROUND", "! only\nBEAM/3"] {
+        assert!(flexure_dataset::looks_like_dataset(text), "{text}");
+    }
+    for text in ["", "t\n", "t\nin/out", "model create model_name = a\npart/x 7", "t\nu\nPART/1", "! PART/1\nundo"] {
+        assert!(!flexure_dataset::looks_like_dataset(text), "{text}");
+    }
 }

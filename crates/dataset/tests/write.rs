@@ -414,3 +414,20 @@ fn measures_and_spring_graphics_are_reported_by_kind() {
     assert!(warnings.iter().any(|w| w.message.ends_with("measures are not part of a dataset")));
     assert!(warnings.iter().any(|w| w.message.ends_with("not written yet, which change no result")));
 }
+
+/// Rows of a surface that cannot be told from one another are not written as others.
+#[test]
+fn a_surface_with_uneven_rows_is_not_written() {
+    let (mut b, _) = swing();
+    let spline = b.model_object("spline", "s", 0);
+    b.numbers(spline, "x", &[1.0, 2.0]);
+    b.numbers(spline, "z", &[0.0, 1.0]);
+    b.numbers(spline, "y", &[1.0, 2.0, 3.0]);
+    let written = b.written();
+    assert_eq!(written.warnings.len(), 1);
+    assert_eq!(written.warnings[0].code, "dataset/uneven-surface");
+    assert_eq!(written.warnings[0].message, "`.swing.s` has 3 values for 2 rows");
+    assert!(written.text.contains("\n!SPLINE/1\n"), "{}", written.text);
+    b.numbers(spline, "y", &[1.0, 2.0, 3.0, 4.0]);
+    assert!(b.text().contains("\nSPLINE/1\n, X = 1, 2\n, Y = 0, 1, 2\n, Y = 1, 3, 4\n"));
+}

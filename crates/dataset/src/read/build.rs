@@ -8,7 +8,7 @@ use schema::{Default, Field, Kind, Registry};
 use text::{Diagnostic, FileId, Span, suggest};
 
 use super::{
-    Entry, Loaded, Naming, Statements, entry,
+    Entry, Loaded, Naming, Statements, entry, guess,
     statement::{Argument, Statement},
     values::{self, Number},
 };
@@ -41,12 +41,18 @@ pub(super) fn build(
     naming: Naming<'_>,
 ) -> Result<Loaded, Vec<Diagnostic>> {
     let mut diagnostics = found.diagnostics;
-    if found.statements.is_empty() {
+    let (statements, repeated) = merged(found.statements);
+    diagnostics.extend(repeated);
+    if statements.is_empty() && guess::looks_like_commands(text) {
+        return Err(vec![guess::command_file(file)]);
+    }
+    if statements.is_empty() {
         let nothing = Diagnostic::error("dataset/empty", "the dataset has no statement that is understood");
         diagnostics.push(nothing.help("a dataset is a title line, statements such as `PART/1, GROUND`, and `END`"));
         return Err(diagnostics);
     }
-    let titled = found.title.strip_prefix(super::TITLE).map(str::trim).filter(|name| is_name(name));
+    let title = found.title.strip_prefix(super::TITLE).or_else(|| found.title.strip_prefix(super::OLD_TITLE));
+    let titled = title.map(str::trim).filter(|name| is_name(name));
     let name = naming.model.or(titled).unwrap_or(naming.otherwise);
     let name: String = name.chars().map(|c| if matches!(c, '.' | '"') { '_' } else { c }).collect();
     let name = if name.trim().is_empty() { "MODEL_1".to_string() } else { name };
@@ -70,7 +76,7 @@ pub(super) fn build(
         radians,
         diagnostics,
     };
-    builder.units(&found.statements, old);
+    builder.units(&statements, old);
     if class.cell_index("fit_to_view").is_some() {
         builder.database.set_value(model, "fit_to_view", Value::Flag(true));
     }
@@ -78,13 +84,43 @@ pub(super) fn build(
         builder.database.set_value(model, "title", Value::Text(found.title.trim().to_string()));
     }
     let mut comments = found.model_comments;
-    builder.objects(&found.statements, &mut comments);
+    let mut of_units: Vec<_> =
+        statements.iter().filter(|s| s.name == "UNITS" && !s.inactive).flat_map(|s| s.comments.clone()).collect();
+    if comments.is_empty() {
+        comments.append(&mut of_units);
+    }
+    builder.objects(&statements, &mut comments);
     comments.extend(found.trailing_comments);
+    // Those of UNITS, which is no object, keep their place behind the line that ends those of the model.
+    if !of_units.is_empty() {
+        comments.push(super::END_OF_MODEL_COMMENTS.to_string());
+        comments.append(&mut of_units);
+    }
     if !comments.is_empty() {
         builder.database.set_value(model, "comments", Value::Texts(comments));
     }
     super::in_order(&mut builder.diagnostics);
     Ok(Loaded { model, diagnostics: builder.diagnostics })
+}
+
+/// Settings that are given in several statements as one of each: of what two say, the last one counts.
+fn merged(all: Vec<Statement>) -> (Vec<Statement>, Vec<Diagnostic>) {
+    let mut merged: Vec<Statement> = Vec::with_capacity(all.len());
+    let mut repeated = Vec::new();
+    for statement in all {
+        let setting = statements::is_setting(statement.name) && !statement.inactive;
+        let earlier = merged.iter_mut().find(|s| setting && s.name == statement.name && !s.inactive);
+        let Some(earlier) = earlier else {
+            merged.push(statement);
+            continue;
+        };
+        let message = format!("there is a second {}/: of what both say, the last one counts", statement.name);
+        let second = Diagnostic::warning("dataset/second-setting", message).at(statement.head, "this one counts");
+        repeated.push(second.label(earlier.head, "the first one").help("make one statement of them"));
+        earlier.arguments.extend(statement.arguments);
+        earlier.comments.extend(statement.comments);
+    }
+    (merged, repeated)
 }
 
 /// Whether a title ends in what is a name, and not a sentence.

@@ -32,6 +32,8 @@ pub(crate) struct Blocks {
     pub list: Vec<Block>,
     /// Comments behind the last statement.
     pub trailing: Vec<String>,
+    /// Lines behind END that begin like a statement.
+    pub behind_end: Vec<Range<usize>>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -43,11 +45,16 @@ pub(crate) fn blocks(file: FileId, text: &str) -> Blocks {
         let start = offset;
         offset += line.len();
         let line = line.trim_end_matches(['\n', '\r']);
-        if index == 0 {
+        if ended {
+            let content = line.trim();
+            if begins_statement(content) {
+                let at = start + line.len() - line.trim_start().len();
+                reader.found.behind_end.push(at..at + content.len());
+            }
+        } else if index == 0 {
             reader.found.title = line.trim_start_matches('\u{feff}').to_string();
-        } else if reader.line(line, start) {
-            ended = true;
-            break;
+        } else {
+            ended = reader.line(line, start);
         }
     }
     reader.close();
@@ -64,7 +71,7 @@ pub(crate) fn blocks(file: FileId, text: &str) -> Blocks {
     reader.found
 }
 
-/// Comments in order. Lone marks count where they stand between two lines of text.
+/// Comments in order. Lone marks count where they stand between two lines of text that belong together.
 #[derive(Debug, Default)]
 struct Comments {
     list: Vec<String>,
@@ -73,7 +80,7 @@ struct Comments {
 
 impl Comments {
     fn add(&mut self, comment: String) {
-        if !self.list.is_empty() {
+        if self.list.last().is_some_and(|last| last.trim() != END_OF_MODEL_COMMENTS) {
             self.list.extend(std::iter::repeat_n(String::new(), self.lone));
         }
         self.lone = 0;
@@ -256,7 +263,7 @@ impl Lines {
 }
 
 /// Whether a text begins like a statement: `NAME/`.
-fn begins_statement(text: &str) -> bool {
+pub(super) fn begins_statement(text: &str) -> bool {
     let text = text.trim_start();
     let word = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len();
     word > 1 && text.starts_with(|c: char| c.is_ascii_alphabetic()) && text[word..].trim_start().starts_with('/')

@@ -7,6 +7,7 @@ mod build;
 mod cells;
 mod entry;
 mod functions;
+mod guess;
 mod lines;
 mod objects;
 mod statement;
@@ -14,22 +15,28 @@ mod units;
 mod values;
 mod vocabulary;
 
+use std::ops::Range;
+
 use model::{Database, ObjectId};
 use schema::Registry;
-use text::{Diagnostic, FileId};
+use text::{Diagnostic, FileId, Span};
 
 pub(crate) use build::Builder;
 pub(crate) use entry::Entry;
+pub use guess::looks_like_dataset;
 pub(crate) use lines::{END_OF_MODEL_COMMENTS, NOT_WRITTEN};
 pub use statement::{Argument, Statement};
 pub(crate) use values::unquoted;
 pub(crate) use vocabulary::{Form, Word};
 
 use arguments::Splitter;
-use vocabulary::Vocabulary;
+use lines::Block;
+use vocabulary::{Found, Vocabulary};
 
 /// How the title line of a dataset names the model.
 pub(crate) const TITLE: &str = "Adams View model name: ";
+/// How old versions wrote that.
+const OLD_TITLE: &str = "ADAMS/View model name: ";
 
 /// A dataset split into statements.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -57,15 +64,77 @@ pub fn read_statements(registry: &Registry, file: FileId, text: &str) -> Stateme
     let vocabulary = Vocabulary::new(registry);
     let found = lines::blocks(file, text);
     let mut splitter = Splitter { file, text, vocabulary: &vocabulary, diagnostics: found.diagnostics };
-    let statements = found.list.into_iter().filter_map(|block| splitter.statement(block)).collect();
+    let mut statements = Vec::new();
+    let mut remarks = Remarks::default();
+    for block in found.list {
+        let remark = block.inactive.then(|| block.clone());
+        let said = splitter.diagnostics.len();
+        match splitter.statement(block) {
+            Some(mut statement) => {
+                remarks.join(&mut statement.comments, &mut statement.view_name);
+                statements.push(statement);
+            }
+            None => remarks.extend(remark.filter(|_| splitter.diagnostics.len() == said), text),
+        }
+    }
+    let mut trailing_comments = found.trailing;
+    remarks.join(&mut trailing_comments, &mut Some(String::new()));
+    splitter.diagnostics.extend(behind_end(file, text, &vocabulary, &found.behind_end));
     in_order(&mut splitter.diagnostics);
     Statements {
         title: found.title,
         model_comments: found.model_comments,
         statements,
-        trailing_comments: found.trailing,
+        trailing_comments,
         diagnostics: splitter.diagnostics,
     }
+}
+
+/// Comments that looked like statements that are switched off, until the statement they belong to.
+#[derive(Default)]
+struct Remarks {
+    comments: Vec<String>,
+    view_name: Option<String>,
+}
+
+impl Remarks {
+    fn extend(&mut self, block: Option<Block>, text: &str) {
+        let Some(block) = block else { return };
+        self.comments.extend(block.comments);
+        let lines = block.pieces.iter().filter_map(|piece| text.get(piece.clone())).enumerate();
+        self.comments.extend(lines.map(|(line, text)| format!("{}{text}", if line == 0 { "" } else { "," })));
+        self.view_name = block.view_name.or(self.view_name.take());
+    }
+
+    /// Puts them before comments; the name that stood with them is that of the object if it has none.
+    fn join(&mut self, comments: &mut Vec<String>, view_name: &mut Option<String>) {
+        let mut remarks = std::mem::take(&mut self.comments);
+        match self.view_name.take() {
+            Some(name) if view_name.is_none() => *view_name = Some(name),
+            Some(name) => remarks.insert(0, format!("adams_view_name='{name}'")),
+            None => {}
+        }
+        comments.splice(0..0, remarks);
+    }
+}
+
+/// Says of statements behind END that nobody reads them.
+fn behind_end(file: FileId, text: &str, vocabulary: &Vocabulary, lines: &[Range<usize>]) -> Option<Diagnostic> {
+    let known = |line: &&Range<usize>| {
+        let line = text.get((*line).clone()).unwrap_or_default();
+        let word = line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or_default();
+        // A line of prose may begin with a letter or two and a slash.
+        matches!(vocabulary.statement(word), Found::One(name) if word.len() > 2 || name.len() == word.len())
+    };
+    let mut lines = lines.iter().filter(known);
+    let first = lines.next()?;
+    let message = match 1 + lines.count() {
+        1 => "a statement behind END is not read".to_string(),
+        count => format!("{count} statements behind END are not read"),
+    };
+    let left_out = Diagnostic::warning("dataset/behind-end", message);
+    let at = Span::new(file, first.start, first.end);
+    Some(left_out.at(at, "left out").help("if they belong to the model, move END behind them"))
 }
 
 /// What a dataset is read as.
@@ -85,7 +154,8 @@ pub struct Loaded {
 }
 
 /// Makes a model of a dataset. What is not understood is reported and left out; the rest stands. The
-/// units of the dataset, with degrees, are in force afterwards; without any, those in force hold.
+/// units of the dataset, with degrees, are in force afterwards; what it does not tell of them is taken
+/// from those in force.
 ///
 /// # Errors
 /// If there is no statement at all, or the model's name is taken: then nothing has changed.

@@ -32,10 +32,16 @@ impl<'a> Builder<'a> {
             self.fill(&mut entry);
         }
         for statement in all {
-            if statements::is_setting(statement.name) && !statement.inactive {
+            let setting = statements::is_setting(statement.name);
+            if setting && !statement.inactive {
                 self.setting(statement);
             }
-            if statements::is_setting(statement.name) || statement.name == "UNITS" {
+            // Objects that are switched off have been told from remarks when they were made.
+            let no_object = setting || statement.name == "UNITS" || is_ground(statement);
+            if no_object && statement.inactive {
+                self.report(not_understood(statement));
+            }
+            if setting || no_object && statement.inactive {
                 comments.extend(statement.comments.iter().cloned());
             }
         }

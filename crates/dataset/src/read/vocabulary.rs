@@ -94,7 +94,7 @@ impl Vocabulary {
         let mut statements: Vec<_> = words.keys().copied().chain(UNREAD.iter().copied()).collect();
         statements.sort_unstable();
         for (statement, known) in &mut words {
-            known.extend_from_slice(statements::words(statement));
+            known.extend(statements::words(statement));
             known.extend(statements::setting_words(statement));
             known.sort_by_key(|(word, form)| (*word, *form == Form::Flag));
             known.dedup();

@@ -88,31 +88,13 @@ pub(super) const PRIMITIVES: &[(&str, &str)] = &[
     ("PARALLEL_AXES", "jprim_parallel_axis"),
     ("PERPENDICULAR", "jprim_perpendicular"),
 ];
-pub(super) const JOINT_WORDS: &[Word] = &[
-    ("REVOLUTE", Form::Flag),
-    ("TRANSLATIONAL", Form::Flag),
-    ("CYLINDRICAL", Form::Flag),
-    ("SPHERICAL", Form::Flag),
-    ("PLANAR", Form::Flag),
-    ("FIXED", Form::Flag),
-    ("UNIVERSAL", Form::Flag),
-    ("HOOKE", Form::Flag),
-    ("CONVEL", Form::Flag),
-    ("SCREW", Form::Flag),
-    ("RACKPIN", Form::Flag),
+/// What a JOINT takes beside its kind.
+pub(super) const JOINT_VALUES: &[Word] = &[
     ("PITCH", Form::Value),
     ("PD", Form::Value),
     ("IC", Form::Value),
     ("ICROT", Form::Value),
     ("ICTRAN", Form::Value),
-];
-pub(super) const PRIMITIVE_WORDS: &[Word] = &[
-    ("ATPOINT", Form::Flag),
-    ("INLINE", Form::Flag),
-    ("INPLANE", Form::Flag),
-    ("ORIENTATION", Form::Flag),
-    ("PARALLEL_AXES", Form::Flag),
-    ("PERPENDICULAR", Form::Flag),
 ];
 pub(super) const MOTION_WORDS: &[Word] = &[
     ("TRANSLATIONAL", Form::Flag),

@@ -90,25 +90,13 @@ pub(super) fn contact(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         let name = w.database.full_name(id);
         w.fail("dataset/no-law", format!("`{name}` has no stiffness and no penalty"));
     }
-    lines.flag(if impact { "IMPACT" } else { "POISSON" });
-    for (cell, keyword) in [
-        ("stiffness", "STIFFNESS"),
-        ("damping", "DAMPING"),
-        ("dmax", "DMAX"),
-        ("exponent", "EXPONENT"),
-        ("penalty", "PENALTY"),
-        ("restitution_coefficient", "RESTITUTION_COEFFICIENT"),
-    ] {
+    lines.flag(CONTACT_LAWS[usize::from(!impact)]);
+    for (cell, keyword) in CONTACT_LAW {
         number_field(w, id, cell, keyword, lines);
     }
     if let Some(word) = w.database.text(id, "coulomb_friction").filter(|word| *word != "off") {
         lines.argument("COULOMB_FRICTION", &word.to_ascii_uppercase());
-        for (cell, keyword) in [
-            ("mu_static", "MU_STATIC"),
-            ("mu_dynamic", "MU_DYNAMIC"),
-            ("stiction_transition_velocity", "STICTION_TRANSITION_VELOCITY"),
-            ("friction_transition_velocity", "FRICTION_TRANSITION_VELOCITY"),
-        ] {
+        for (cell, keyword) in CONTACT_FRICTION {
             number_field(w, id, cell, keyword, lines);
         }
     }
@@ -163,25 +151,37 @@ pub(super) const POINT_CURVE_WORDS: &[Word] = &[
     ("ICRM", Form::Value),
     ("INTERPOLATION_TOLERANCE", Form::Value),
 ];
-pub(super) const CONTACT_WORDS: &[Word] = &[
-    ("TYPE", Form::Value),
-    ("IGEOM", Form::Value),
-    ("JGEOM", Form::Value),
-    ("IMPACT", Form::Flag),
-    ("POISSON", Form::Flag),
-    ("STIFFNESS", Form::Value),
-    ("DAMPING", Form::Value),
-    ("DMAX", Form::Value),
-    ("EXPONENT", Form::Value),
-    ("PENALTY", Form::Value),
-    ("RESTITUTION_COEFFICIENT", Form::Value),
-    ("NORMAL_FUNCTION", Form::Function),
-    ("COULOMB_FRICTION", Form::Value),
-    ("MU_STATIC", Form::Value),
-    ("MU_DYNAMIC", Form::Value),
-    ("STICTION_TRANSITION_VELOCITY", Form::Value),
-    ("FRICTION_TRANSITION_VELOCITY", Form::Value),
+/// What a CONTACT is between, by cell and keyword.
+const CONTACT_ENDS: [(&str, &str); 3] = [("type", "TYPE"), ("i_geometry_name", "IGEOM"), ("j_geometry_name", "JGEOM")];
+/// How its normal force follows from the depth.
+const CONTACT_LAWS: [&str; 2] = ["IMPACT", "POISSON"];
+const CONTACT_LAW: [(&str, &str); 6] = [
+    ("stiffness", "STIFFNESS"),
+    ("damping", "DAMPING"),
+    ("dmax", "DMAX"),
+    ("exponent", "EXPONENT"),
+    ("penalty", "PENALTY"),
+    ("restitution_coefficient", "RESTITUTION_COEFFICIENT"),
 ];
+/// Numbers of its friction, where that is not off.
+const CONTACT_FRICTION: [(&str, &str); 4] = [
+    ("mu_static", "MU_STATIC"),
+    ("mu_dynamic", "MU_DYNAMIC"),
+    ("stiction_transition_velocity", "STICTION_TRANSITION_VELOCITY"),
+    ("friction_transition_velocity", "FRICTION_TRANSITION_VELOCITY"),
+];
+
+/// Cells of a CONTACT that are read as they stand, with their keywords.
+fn contact_cells() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let friction = std::iter::once(("coulomb_friction", "COULOMB_FRICTION"));
+    CONTACT_ENDS.into_iter().chain(CONTACT_LAW).chain(friction).chain(CONTACT_FRICTION)
+}
+
+pub(super) fn contact_words() -> Vec<Word> {
+    let laws = CONTACT_LAWS.into_iter().map(|law| (law, Form::Flag));
+    let values = contact_cells().map(|(_, keyword)| (keyword, Form::Value));
+    laws.chain(values).chain([("NORMAL_FUNCTION", Form::Function)]).collect()
+}
 
 pub(super) fn read_coupler<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     if let Some(argument) = e.take("TYPE") {
@@ -224,25 +224,10 @@ pub(super) fn read_point_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 }
 
 pub(super) fn read_contact<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    for law in ["IMPACT", "POISSON"] {
+    for law in CONTACT_LAWS {
         e.flag(law);
     }
-    for (keyword, cell) in [
-        ("TYPE", "type"),
-        ("IGEOM", "i_geometry_name"),
-        ("JGEOM", "j_geometry_name"),
-        ("STIFFNESS", "stiffness"),
-        ("DAMPING", "damping"),
-        ("DMAX", "dmax"),
-        ("EXPONENT", "exponent"),
-        ("PENALTY", "penalty"),
-        ("RESTITUTION_COEFFICIENT", "restitution_coefficient"),
-        ("COULOMB_FRICTION", "coulomb_friction"),
-        ("MU_STATIC", "mu_static"),
-        ("MU_DYNAMIC", "mu_dynamic"),
-        ("STICTION_TRANSITION_VELOCITY", "stiction_transition_velocity"),
-        ("FRICTION_TRANSITION_VELOCITY", "friction_transition_velocity"),
-    ] {
+    for (cell, keyword) in contact_cells() {
         let Some(field) = Builder::field(e, cell) else { continue };
         let Some(argument) = e.take(keyword) else { continue };
         match field.kind {

@@ -138,14 +138,13 @@ pub(super) fn sensor(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
 }
 
 /// Kinds of arrays: the word of the statement and the class.
-const ARRAYS: &[(&str, &str)] = &[("X", "array_x"), ("U", "array_u"), ("Y", "array_y"), ("IC", "array_ic")];
+pub(super) const ARRAYS: &[(&str, &str)] = &[("X", "array_x"), ("U", "array_u"), ("Y", "array_y"), ("IC", "array_ic")];
 /// Limits of a sensor: of a plain function, and of one that is an angle.
 const SENSOR_LIMITS: [(&str, &str, &str); 2] =
     [("VALUE", "value", "angular_value"), ("ERROR", "error", "angular_error")];
 
 pub(super) const FIELD_WORDS: &[Word] =
     &[("LENGTH", Form::Value), ("FORCE", Form::Value), ("FUNCTION", Form::Function)];
-pub(super) const ARRAY_WORDS: &[Word] = &[("IC", Form::Flag), ("X", Form::Flag), ("U", Form::Flag), ("Y", Form::Flag)];
 pub(super) const MATRIX_WORDS: &[Word] = &[
     ("FULL", Form::Value),
     ("SPARSE", Form::Flag),
@@ -185,7 +184,9 @@ pub(super) fn array_kind(statement: &Statement) -> Chosen {
 }
 
 pub(super) fn read_array(e: &mut Entry<'_>) {
-    e.one_of(&["X", "U", "Y", "IC"]);
+    if let Some((word, _)) = ARRAYS.iter().find(|(word, _)| e.statement.has(word)) {
+        e.flag(word);
+    }
 }
 
 pub(super) fn matrix_kind(statement: &Statement) -> Chosen {
@@ -255,20 +256,35 @@ pub(super) fn read_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 /// A surface gives a row of values for each value of its second axis, which leads the row.
 pub(super) fn read_spline<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     let rows = e.take_all("Y");
+    let points = e.statement.argument("X").map(|argument| argument.items(b.text).len());
     if let Some(argument) = e.take("FUNCTION") {
         b.set_function(e, "function", argument);
     }
     if rows.len() < 2 {
         if let Some(argument) = rows.first() {
-            b.set_numbers(e, "y", argument);
+            let given = argument.items(b.text).len();
+            match points.filter(|points| *points != given) {
+                Some(points) => b.count(argument, given, &points.to_string()),
+                None => b.set_numbers(e, "y", argument),
+            }
         }
         return;
     }
-    let (mut z, mut y) = (Vec::new(), Vec::new());
+    let (mut z, mut y, mut uneven) = (Vec::new(), Vec::new(), false);
+    let mut width = points.map(|points| points + 1);
     for argument in rows {
         let Some(values) = b.plain(argument) else { return };
+        let wanted = *width.get_or_insert(values.len());
+        if values.len() != wanted {
+            b.count(argument, values.len(), &wanted.to_string());
+            uneven = true;
+        }
         z.extend(values.first());
         y.extend(values.iter().skip(1));
+    }
+    // Values that no row can be told of would be cut into other rows.
+    if uneven {
+        return;
     }
     b.store(e.id, "z", Value::Array(Array::column(z)));
     b.store(e.id, "y", Value::Array(Array::column(y)));

@@ -15,9 +15,9 @@ mod vector;
 
 pub(crate) use graphics::moves;
 pub(crate) use gravity::{NAME as GRAVITY, gravity};
-pub(crate) use reading::{Chosen, REQUIRED, class_of, is_setting, read, required, words};
+pub(crate) use reading::{Chosen, REQUIRED, class_of, read, required, words};
 pub(crate) use regular::zero_if_left_out;
-pub(crate) use settings::{read_setting, setting_words, settings};
+pub(crate) use settings::{is_setting, read_setting, setting_names, setting_words, settings};
 
 use model::{Database, FunctionText, ObjectId, Piece, Value};
 use syntax::function::Calls;

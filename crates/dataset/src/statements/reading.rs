@@ -35,10 +35,6 @@ pub(crate) fn required(statement: &str, keyword: Option<&str>) -> bool {
     list.zip(keyword).is_some_and(|((_, keywords), keyword)| keywords.contains(&keyword))
 }
 
-pub(crate) fn is_setting(statement: &str) -> bool {
-    ["INTEGRATOR", "EQUILIBRIUM", "KINEMATICS", "OUTPUT", "RESULTS", "PREFERENCES"].contains(&statement)
-}
-
 const UNITS: &[Word] = &[
     ("FORCE", Form::Value),
     ("MASS", Form::Value),
@@ -50,13 +46,16 @@ const UNITS: &[Word] = &[
 const TURNS: &[Word] = &[("TRANSLATIONAL", Form::Flag), ("ROTATIONAL", Form::Flag)];
 
 /// The words a statement knows beside the keywords of its classes.
-pub(crate) fn words(statement: &str) -> &'static [Word] {
-    match statement {
+pub(crate) fn words(statement: &str) -> Vec<Word> {
+    let kinds = |kinds: &[(&'static str, &'static str)]| kinds.iter().map(|(word, _)| (*word, Form::Flag)).collect();
+    let words = match statement {
+        "JOINT" => return [kinds(constraint::JOINTS), constraint::JOINT_VALUES.to_vec()].concat(),
+        "JPRIM" => return kinds(constraint::PRIMITIVES),
+        "ARRAY" => return kinds(data::ARRAYS),
+        "CONTACT" => return coupled::contact_words(),
         "UNITS" => UNITS,
         "PART" | "POINT_MASS" => body::BODY_WORDS,
         "MARKER" => body::MARKER_WORDS,
-        "JOINT" => constraint::JOINT_WORDS,
-        "JPRIM" => constraint::PRIMITIVE_WORDS,
         "MOTION" => constraint::MOTION_WORDS,
         "SFORCE" | "SPRINGDAMPER" => TURNS,
         "GRAPHICS" => graphics::WORDS,
@@ -64,15 +63,14 @@ pub(crate) fn words(statement: &str) -> &'static [Word] {
         "VFORCE" | "VTORQUE" | "GFORCE" | "GSE" => vector::WORDS,
         "COUPLER" => coupled::COUPLER_WORDS,
         "PTCV" => coupled::POINT_CURVE_WORDS,
-        "CONTACT" => coupled::CONTACT_WORDS,
         "FIELD" => data::FIELD_WORDS,
-        "ARRAY" => data::ARRAY_WORDS,
         "MATRIX" => data::MATRIX_WORDS,
         "CURVE" => data::CURVE_WORDS,
         "SENSOR" => data::SENSOR_WORDS,
         "SPLINE" => data::SPLINE_WORDS,
         _ => &[],
-    }
+    };
+    words.to_vec()
 }
 
 /// The class of the object a statement makes.

@@ -30,10 +30,18 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     for (field, keyword) in strings {
         let words = texts(w.database, id, field);
         if words.iter().any(|word| !word.is_empty()) {
+            if words.iter().any(|word| word.contains('"')) {
+                let name = w.database.full_name(id);
+                let message =
+                    format!("quotes in `{field}` of `{name}` are written as `'`: a dataset has no way to say them");
+                w.warn("dataset/quote-not-written", message);
+            }
             if keyword == "TITLE" {
+                let words: Vec<_> =
+                    words.iter().map(|word| if is_plain(word) { word.clone() } else { quoted(word) }).collect();
                 lines.argument(keyword, &words.join(":"));
             } else {
-                lines.list(keyword, &words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>());
+                lines.list(keyword, &words.iter().map(|word| quoted(word)).collect::<Vec<_>>());
             }
         }
     }
@@ -75,6 +83,25 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     }
 }
 
+fn quoted(word: &str) -> String {
+    format!("\"{}\"", word.replace('"', "'").replace(['\n', '\r'], " "))
+}
+
+/// Whether a heading may stand without quotes: nothing in it parts, ends or joins anything.
+fn is_plain(word: &str) -> bool {
+    !word.contains(|c: char| c.is_whitespace() || matches!(c, ':' | ',' | '"' | '!' | '\\' | ';' | '=' | '(' | ')'))
+}
+
+/// Headings between colons; those within quotes are part of a heading.
+fn headings(text: &str) -> Vec<String> {
+    let mut in_quotes = false;
+    let parted = text.split(|c: char| {
+        in_quotes ^= c == '"';
+        c == ':' && !in_quotes
+    });
+    parted.map(|word| unquoted(word).to_string()).collect()
+}
+
 pub(super) const WORDS: &[Word] = &[
     ("DISPLACEMENT", Form::Flag),
     ("VELOCITY", Form::Flag),
@@ -89,8 +116,7 @@ pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         b.store(e.id, "output_type", Value::Text(word.to_ascii_lowercase()));
     }
     if let Some(argument) = e.take("TITLE") {
-        let value = argument.value(b.text);
-        b.store(e.id, "title", Value::Texts(value.split(':').map(|word| unquoted(word).to_string()).collect()));
+        b.store(e.id, "title", Value::Texts(headings(&argument.value(b.text))));
     }
     if let Some(argument) = e.take("FUNCTION") {
         b.set_function(e, "function", argument);

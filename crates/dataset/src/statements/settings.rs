@@ -3,6 +3,7 @@
 use model::{ObjectId, Value};
 
 use schema::Kind;
+use text::Diagnostic;
 
 use super::numbers;
 use crate::{
@@ -97,17 +98,31 @@ const RESULTS: &[(&str, &str, As)] = &[
 const PREFERENCES: &[(&str, &str, As)] =
     &[("contact_faceting_tolerance", "CONTACT_FACETING_TOLERANCE", As::Value), ("thread_count", "NTHREADS", As::Value)];
 
+/// The fields of a class with their keywords and how they are written.
+type Table = &'static [(&'static str, &'static str, As)];
+
+/// The statements of settings in the order they are written, with their arguments.
+const SETTINGS: &[(&str, Table)] = &[
+    ("INTEGRATOR", INTEGRATOR),
+    ("EQUILIBRIUM", EQUILIBRIUM),
+    ("KINEMATICS", KINEMATICS),
+    ("OUTPUT", OUTPUT),
+    ("RESULTS", RESULTS),
+    ("PREFERENCES", PREFERENCES),
+];
+
+/// The statements of settings in the order they are written.
+pub(crate) fn setting_names() -> impl Iterator<Item = &'static str> {
+    SETTINGS.iter().map(|(name, _)| *name)
+}
+
+pub(crate) fn is_setting(statement: &str) -> bool {
+    setting_names().any(|name| name == statement)
+}
+
 /// The arguments of a statement of settings.
-fn table(statement: &str) -> &'static [(&'static str, &'static str, As)] {
-    match statement {
-        "INTEGRATOR" => INTEGRATOR,
-        "EQUILIBRIUM" => EQUILIBRIUM,
-        "KINEMATICS" => KINEMATICS,
-        "OUTPUT" => OUTPUT,
-        "RESULTS" => RESULTS,
-        "PREFERENCES" => PREFERENCES,
-        _ => &[],
-    }
+fn table(statement: &str) -> Table {
+    SETTINGS.iter().find(|(name, _)| *name == statement).map_or(&[], |(_, table)| *table)
 }
 
 /// The statement of a settings object. OUTPUT and RESULTS are written without one too, as View does.
@@ -223,16 +238,24 @@ pub(crate) fn read_setting<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
                 }
             }
             As::Word => {
-                let integrator = INTEGRATORS.iter().find(|word| e.flag(word));
-                let formulation = FORMULATIONS.iter().find(|word| e.flag(word));
+                // Of several the last one counts; the others stay unread, and are reported as that.
+                let last = |known: &[&'static str]| {
+                    let mut given = e.statement.arguments.iter().rev().filter(|a| a.form == Form::Flag);
+                    given.find_map(|a| known.iter().copied().find(|word| *word == a.keyword))
+                };
                 // `SI2` alone is an integrator of old files; behind another one it is its formulation.
-                let word = match (*name, integrator, formulation) {
+                let (keyword, word) = match (*name, last(INTEGRATORS), last(FORMULATIONS)) {
                     ("integrator_type", Some(word), _) | ("formulation", Some(_), Some(word)) => {
-                        word.to_ascii_lowercase()
+                        (word, word.to_ascii_lowercase())
                     }
-                    ("integrator_type", None, Some(&"SI2")) => "si2_gstiff".to_string(),
+                    ("integrator_type", None, Some("SI2")) => ("SI2", "si2_gstiff".to_string()),
+                    ("formulation", None, Some(word)) if word != "SI2" => {
+                        without_integrator(b, e, word);
+                        continue;
+                    }
                     _ => continue,
                 };
+                e.flag(keyword);
                 if let Some(id) = b.settings_object(e.class) {
                     b.store(id, name, Value::Text(word));
                 }
@@ -255,4 +278,14 @@ pub(crate) fn read_setting<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
             }
         }
     }
+}
+
+/// Says of a formulation that stands alone that nobody knows what it is one of.
+fn without_integrator(b: &mut Builder<'_>, e: &mut Entry<'_>, word: &'static str) {
+    let argument = e.statement.arguments.iter().rev().find(|a| a.keyword == word);
+    let Some(at) = argument.map(|a| a.span) else { return };
+    e.flag(word);
+    let message = format!("`{word}` of {} is not read: it stands without an integrator", e.name());
+    let alone = Diagnostic::warning("dataset/argument-not-read", message).at(at, "left out");
+    b.report(alone.help(format!("name the integrator too: `INTEGRATOR/GSTIFF, {word}`")));
 }
