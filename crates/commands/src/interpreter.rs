@@ -226,13 +226,29 @@ impl Interpreter {
                 let file = self.sources.add_bytes(path.display().to_string(), bytes);
                 self.asking.insert(file);
                 if let Some(journal) = &mut self.journal {
-                    journal.raw(&format!("file command read file_name = \"{}\"", path.display()));
+                    journal.raw(&format!(
+                        "file command read file_name = {}",
+                        syntax::command::quote(&path.display().to_string())
+                    ));
                 }
                 self.run_source(file);
             }
             Err(error) => {
                 self.report.failed += 1;
                 self.report.diagnostics.push(cannot_read(path, &error));
+            }
+        }
+        self.take_report()
+    }
+
+    /// Reads the bytes of a solver dataset as the file of that name, which may hold others.
+    pub fn read_data_set(&mut self, name: &str, bytes: Vec<u8>) -> Report {
+        self.report = Report::default();
+        match crate::verbs::read_data_set(self, name, bytes) {
+            Ok(()) => self.report.executed += 1,
+            Err(troubles) => {
+                self.report.failed += 1;
+                self.report.diagnostics.extend(troubles);
             }
         }
         self.take_report()

@@ -88,9 +88,13 @@ fn cannot_write(call: &Call, path: &std::path::Path, error: &std::io::Error) -> 
 const UNITS: [&str; 5] = ["length", "force", "mass", "time", "angle"];
 
 /// Puts the units of a file in force; returns those that were.
-fn file_units(interpreter: &mut Interpreter, call: &Call) -> Outcome<Option<schema::UnitSystem>> {
+fn file_units(
+    interpreter: &mut Interpreter,
+    call: &Call,
+    usual: schema::UnitSystem,
+) -> Outcome<Option<schema::UnitSystem>> {
     let old = *interpreter.database.units();
-    let mut units = old;
+    let mut units = usual;
     for name in UNITS.iter().filter(|n| call.field(n).is_some()) {
         let Some(unit) = interpreter.word_of(call, name)?.and_then(|w| UnitName::find(&w)) else { continue };
         match *name {
@@ -131,7 +135,8 @@ pub const DATA_SET_WRITE: VerbEntry = entry(
 fn data_set_write(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let model = interpreter.model_argument(call)?;
     let path = path_for(interpreter, call, model, "adm")?;
-    let old = file_units(interpreter, call)?;
+    let usual = *interpreter.database.units();
+    let old = file_units(interpreter, call, usual)?;
     let outcome = interpreter.host.write_data_set(&mut interpreter.database, model, &path);
     if let Some(old) = old {
         interpreter.database.set_units(old);
@@ -163,15 +168,24 @@ pub const DATA_SET_READ: VerbEntry = entry(
     data_set_read,
 );
 
-/// Reads a dataset as a model of its own. Its units are in force afterwards: the file's where it has
-/// a UNITS statement, else those of the command.
+/// Reads a dataset as a model of its own. Its units are in force afterwards: those the file tells, else
+/// those of the command, else consistent ones, whatever was in force: a file is one model in all sessions.
 fn read_data_set(interpreter: &mut Interpreter, call: &Call, model_name: Option<&str>) -> Outcome<model::ObjectId> {
     let Some(argument) = call.argument("file_name") else { return Err(vec![call.missing(&["file_name"])]) };
     let name = interpreter.text_argument_plain(call, argument)?;
     let path = interpreter.host.resolve(&name);
     let bytes = std::fs::read(&path).map_err(|e| vec![cannot_read(&path, &e).at(argument.value_span, "this file")])?;
-    file_units(interpreter, call)?;
-    let file = interpreter.sources.add_bytes(path.display().to_string(), bytes);
+    file_units(interpreter, call, schema::UnitSystem::si())?;
+    data_set(interpreter, path.display().to_string(), bytes, model_name)
+}
+
+fn data_set(
+    interpreter: &mut Interpreter,
+    name: String,
+    bytes: Vec<u8>,
+    model_name: Option<&str>,
+) -> Outcome<model::ObjectId> {
+    let file = interpreter.sources.add_bytes(name, bytes);
     let source = (&interpreter.sources, file);
     let registry = interpreter.registry.clone();
     let read = interpreter.host.read_data_set(&mut interpreter.database, &registry, source, model_name);
@@ -179,6 +193,14 @@ fn read_data_set(interpreter: &mut Interpreter, call: &Call, model_name: Option<
     let read = read?;
     interpreter.complain(read.diagnostics);
     Ok(read.model)
+}
+
+/// Reads the text of a dataset as if it were the file of that name, and makes its model the current one.
+pub(crate) fn data_set_text(interpreter: &mut Interpreter, name: &str, bytes: Vec<u8>) -> Outcome<()> {
+    interpreter.database.set_units(schema::UnitSystem::si());
+    let model = data_set(interpreter, name.to_string(), bytes, None)?;
+    interpreter.database.make_current(model);
+    Ok(())
 }
 
 fn data_set_read(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {

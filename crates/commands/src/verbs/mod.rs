@@ -33,6 +33,8 @@ mod twins;
 mod undo;
 mod variable;
 
+pub(crate) use file::data_set_text as read_data_set;
+
 /// What runs a verb.
 pub(crate) type Run = fn(&mut Interpreter, &Call) -> Result<Flow, Vec<Diagnostic>>;
 
