@@ -1,6 +1,6 @@
 //! The session: one interpreter with its models, and what users do with it.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -195,23 +195,39 @@ impl Session {
         }
         if extension == "adm" {
             // The command is what the journal replays and what one step takes back.
-            return self.execute(&format!("file adams_data_set read file_name = \"{}\"", path.display()));
+            return self.execute(&format!("file adams_data_set read file_name = {}", quoted(path)));
         }
-        let command = format!("file command read file_name = \"{}\"", path.display());
+        if let Some(refusal) = std::fs::File::open(path).ok().and_then(|file| {
+            let mut head = Vec::new();
+            file.take(HEAD as u64).read_to_end(&mut head).ok()?;
+            refuse_dataset(&path.display().to_string(), &head)
+        }) {
+            return refusal;
+        }
+        let command = format!("file command read file_name = {}", quoted(path));
         self.journalled(&command, |interpreter| interpreter.run_file(path))
     }
 
     /// Executes bytes as the text of a command file.
     pub fn read_bytes(&mut self, name: &str, bytes: Vec<u8>) -> Report {
+        if let Some(refusal) = refuse_dataset(name, bytes.get(..HEAD).unwrap_or(&bytes)) {
+            return refusal;
+        }
         let mut sources = Sources::default();
         let file = sources.add_bytes(name, bytes);
         let text = sources.text(file).to_string();
         self.journalled(&text, |interpreter| interpreter.run_text(name, &text))
     }
 
-    /// Executes bytes as if a command file held them.
+    /// Executes bytes as if a command file held them, or reads them as a solver dataset: what the
+    /// extension says.
     pub fn read_bytes_as(&mut self, path: &Path, bytes: Vec<u8>) -> Report {
         self.engine().folder = path.parent().map(Path::to_path_buf);
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("adm")) {
+            let name = path.display().to_string();
+            let command = format!("file adams_data_set read file_name = {}", quoted(path));
+            return self.journalled(&command, |interpreter| interpreter.read_data_set(&name, bytes));
+        }
         self.read_bytes(&path.display().to_string(), bytes)
     }
 
@@ -426,6 +442,25 @@ impl Session {
             vec![Diagnostic::error("model/none", "there is no model").help(help)]
         })
     }
+}
+
+/// How much of a file tells what it holds.
+const HEAD: usize = 65_536;
+
+/// A path as the text of a command.
+fn quoted(path: &Path) -> String {
+    syntax::command::quote(&path.display().to_string())
+}
+
+/// Instead of an error for each line of a dataset that is read as commands.
+fn refuse_dataset(name: &str, head: &[u8]) -> Option<Report> {
+    if !dataset::looks_like_dataset(&String::from_utf8_lossy(head)) {
+        return None;
+    }
+    let message = format!("{name} looks like a solver dataset, not like a command file");
+    let refusal = Diagnostic::error("file/dataset", message)
+        .help("give it the ending `.adm`, or read it with `file adams_data_set read file_name = ...`");
+    Some(Report { failed: 1, diagnostics: vec![refusal], ..Report::default() })
 }
 
 pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Diagnostic {

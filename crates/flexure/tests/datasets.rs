@@ -5,8 +5,12 @@
 mod comments;
 #[path = "datasets/hostile.rs"]
 mod hostile;
+#[path = "datasets/kept.rs"]
+mod kept;
 #[path = "datasets/public.rs"]
 mod public;
+#[path = "datasets/units.rs"]
+mod units;
 #[path = "datasets/wrong.rs"]
 mod wrong;
 
@@ -180,7 +184,7 @@ joint/3, revolute, i=201, j = 1
 part/02, mass=2., cm = 0201 , ip=.5 , 1E0, 1.0E+00
 , qg = 1, 0, 0, reu = 90D, 0, 0
 MARKER/0201,PART=2
-MARKER/1, PA=1 QP = 0
+MARKER/1, PA=1
 PART/1,GROUND
 MARKER/5, PART=1, FLOATING
 VAR/1, FUN = 2*
@@ -198,8 +202,7 @@ nothing here is read
 #[test]
 fn a_dataset_by_hand_is_understood() {
     let desk = Desk::new();
-    let text = BY_HAND.replace(" QP = 0\n", "\n").replace("\\\\", "\\");
-    let session = read(&desk.put("hand.adm", &text));
+    let session = read(&desk.put("hand.adm", BY_HAND));
     let value = |object: &str, name: &str| {
         let found = session.attribute(object, name).unwrap_or_else(|| panic!("{object} has no {name}"));
         format!("{:?}", found.value)
@@ -209,11 +212,19 @@ fn a_dataset_by_hand_is_understood() {
     assert!(value(".hand.PART_2", "ixx").contains("0.5"));
     assert!(value(".hand.PART_2", "orientation").contains("90.0"));
     assert!(value(".hand.JOINT_3", "i_marker_name").contains(".hand.PART_2.MARKER_201"));
-    assert!(value(".hand.VARIABLE_1", "function").contains("2*"));
-    let force = value(".hand.VFORCE_1", "x_force_function");
-    assert!(force.contains("VARVAL(.hand.VARIABLE_1)"), "{force}");
-    let force = value(".hand.VFORCE_1", "z_force_function");
-    assert!(force.contains("DZ(.hand.PART_2.MARKER_201, .hand.ground.MARKER_1)"), "{force}");
+    let place = value(".hand.PART_2", "location");
+    assert!(place.contains("[1.0, 0.0, 0.0]"), "{place}");
+    for (object, name, expected) in [
+        (".hand.VARIABLE_1", "function", "2* TIME"),
+        (".hand.VFORCE_1", "x_force_function", "STEP(TIME, 0, 0, 1, VARVAL(.hand.VARIABLE_1))"),
+        (".hand.VFORCE_1", "y_force_function", "0"),
+        (".hand.VFORCE_1", "z_force_function", "-1*DZ(.hand.PART_2.MARKER_201, .hand.ground.MARKER_1)"),
+        (".hand.SFORCE_7", "function", "30D*TIME"),
+    ] {
+        let found = value(object, name);
+        assert!(found.contains(&format!("\"{expected}\"")), "{object}: {found}");
+    }
+    assert!(value(".hand.SFORCE_7", "type_of_freedom").contains("rotational"));
     assert!(value(".hand.gravity", "z_component_gravity").contains("-9.81"));
     assert_eq!(session.database().units().length.name, "meter");
 }
@@ -222,7 +233,7 @@ fn a_dataset_by_hand_is_understood() {
 #[test]
 fn reading_is_one_command() {
     let desk = Desk::new();
-    let path = desk.put("hand.adm", &BY_HAND.replace(" QP = 0\n", "\n").replace("\\\\", "\\"));
+    let path = desk.put("hand.adm", BY_HAND);
     let mut session = quiet();
     session.keep_journal(&desk.path("journal.cmd")).unwrap();
     let report = session.read(&path);

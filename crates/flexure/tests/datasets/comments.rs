@@ -60,7 +60,7 @@ fn comments_survive_both_ways() {
     let mut first = commented(&["of the model", "", "END OF MODEL COMMENTS", " more"], ODD, &["on the ground"]);
     let commands = desk.written(&mut first, "first.cmd");
     let dataset = desk.written(&mut first, "first.adm");
-    assert!(dataset.contains("\n! of the model\n! \n! END OF MODEL COMMENTS\n!  more\n! END OF MODEL COMMENTS\n!\n"));
+    assert!(dataset.contains("\n! of the model\n! \n! END OF MODEL COMMENTS\n!  more\n!\n"));
     let mut second = read(&desk.path("first.adm"));
     for object in [".m", ".m.b", ".m.ground.j", ".m.bar"] {
         assert_eq!(comments(&second, object), comments(&first, object), "{object}");
@@ -142,4 +142,42 @@ fn what_is_switched_off_stays_so() {
     let mut again = read(&desk.path("off.adm"));
     assert_eq!(comments(&again, ".m.b"), ["why it is off"]);
     assert_eq!(desk.written(&mut again, "again.adm"), text);
+}
+
+/// Truth: the line ends the comments of the model. What stands behind it is written there again, and is
+/// none of them.
+#[test]
+fn comments_before_units_keep_their_place() {
+    let desk = Desk::new();
+    let file = FILE.replace("UNITS/\n", "! why these units\nUNITS/ ! or not\n");
+    let mut session = read(&desk.put("m.adm", &file));
+    let text = desk.written(&mut session, "again.adm");
+    let head: Vec<_> = text.lines().take(9).collect();
+    assert_eq!(
+        head[1..],
+        [
+            "! first of the model",
+            "! ",
+            "! second, \"quoted\"",
+            "! behind everything",
+            "! END OF MODEL COMMENTS",
+            "! why these units",
+            "! or not",
+            "!",
+        ]
+    );
+    let mut again = read(&desk.path("again.adm"));
+    assert_eq!(comments(&again, ".m"), comments(&session, ".m"));
+    assert_eq!(desk.written(&mut again, "more.adm"), text);
+}
+
+/// A remark that begins like a statement stands where a statement that is switched off would.
+#[test]
+fn a_remark_behind_a_name_is_a_comment_of_what_follows() {
+    let desk = Desk::new();
+    let text = "t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\n!  adams_view_name='here'\n!either/or\n!, both\n\
+                MARKER/1, PART=1\n!  adams_view_name='gone'\n!and/or\nEND\n";
+    let session = read(&desk.put("m.adm", text));
+    assert_eq!(comments(&session, ".m.ground.here"), ["either/or", ", both"]);
+    assert_eq!(comments(&session, ".m"), ["adams_view_name='gone'", "and/or"]);
 }

@@ -3,7 +3,7 @@
 use super::{Desk, quiet};
 
 /// A ground with two markers, and whatever follows.
-const HEAD: &str = "Adams View model name: m\nUNITS/\n, LENGTH = METER\nPART/1\n, GROUND\nMARKER/1\n, PART = 1\nMARKER/2\n, PART = 1\nPART/2\n, MASS = 1\nMARKER/3\n, PART = 2\n";
+const HEAD: &str = "Adams View model name: m\nUNITS/\n, SYSTEM = MKS\nPART/1\n, GROUND\nMARKER/1\n, PART = 1\nMARKER/2\n, PART = 1\nPART/2\n, MASS = 1\nMARKER/3\n, PART = 2\n";
 
 /// Codes with the text they underline, in order, and what is said with the first one.
 fn troubles(text: &str) -> (Vec<(&'static str, String)>, String) {
@@ -90,6 +90,22 @@ const CASES: &[Case] = &[
         "JOINT/1",
         "behind comment marks",
     ),
+    ("!  adams_view_name='x'\n!UNITS/LENGTH=MM\n!", "dataset/inactive-not-read", "UNITS/", "behind comment marks"),
+    ("!  adams_view_name='x'\n!INTEGRATOR/HHT\n!", "dataset/inactive-not-read", "INTEGRATOR/", "behind comment marks"),
+    ("!  adams_view_name='x'\n!PART/7, GROUND\n!", "dataset/inactive-not-read", "PART/7", "behind comment marks"),
+    ("INTEGRATOR/SI1", "dataset/argument-not-read", "SI1", "`INTEGRATOR/GSTIFF, SI1`"),
+    ("INTEGRATOR/GSTIFF, WSTIFF", "dataset/argument-not-read", "GSTIFF", "not read"),
+    ("INTEGRATOR/GSTIFF\nINTEGRATOR/ERROR=1", "dataset/second-setting", "INTEGRATOR/", "the last one counts"),
+    ("EQUILIBRIUM/ERROR=2\nEQUILIBRIUM/ERROR=1", "dataset/second-setting", "EQUILIBRIUM/", "the last one counts"),
+    ("END\nPART/9, MASS=1", "dataset/behind-end", "PART/9, MASS=1", "move END behind them"),
+    ("END\nin/out\n  BEAM/1 ! beam\nM/1\nVAR/2, IC=1", "dataset/behind-end", "BEAM/1 ! beam", "2 statements"),
+    ("SPLINE/1, X=1,2,3,4, Y=1,2,3\nEND\n", "dataset/count", "Y=1,2,3", "takes 4 values, not 3"),
+    (
+        "SPLINE/1, X = 1,2,3,4, Y = 0,1,2,3,4, Y = 1,4,5,6, Y = 2,9,8,7,6",
+        "dataset/count",
+        "Y = 1,4,5,6",
+        "takes 5 values, not 4",
+    ),
     (
         "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
         "dataset/name-taken",
@@ -118,15 +134,23 @@ fn what_is_missing_from_the_file_is_named() {
         let mut session = quiet();
         session.read(&desk.put("m.adm", text)).diagnostics.iter().map(|d| d.code).collect()
     };
-    assert_eq!(codes("t\nUNITS/\nPART/1, GROUND\n"), ["dataset/missing-end"]);
+    assert_eq!(codes("t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\n"), ["dataset/missing-end"]);
     assert_eq!(codes("t\nPART/1, GROUND\nEND\n"), ["dataset/no-units"]);
-    assert_eq!(codes("t\nUNITS/\nPART/2, MASS=1\nEND\n"), ["dataset/no-ground"]);
+    assert_eq!(codes("t\nUNITS/SYSTEM=MKS\nPART/2, MASS=1\nEND\n"), ["dataset/no-ground"]);
     assert_eq!(codes("t\n, A = 1\nEND\n"), ["dataset/stray-continuation", "dataset/empty"]);
     assert_eq!(codes(""), ["dataset/missing-end", "dataset/empty"]);
-    assert_eq!(codes("t\nUNITS/\n!  adams_view_name='world'\nPART/1, GROUND\nEND\n"), ["dataset/ground-name"]);
-    assert_eq!(codes("t\nUNITS/LENGTH=METRE\nPART/1, GROUND\nEND\n"), ["dataset/unknown-word"]);
     assert_eq!(
-        codes("t\nUNITS/\nPART/1, GROUND\nGRAPHICS/1, PLANE, RM = 1\nCONTACT/1, IGEOM=1, JGEOM=1, IMPACT\nEND\n"),
+        codes("t\nUNITS/SYSTEM=MKS\n!  adams_view_name='world'\nPART/1, GROUND\nEND\n"),
+        ["dataset/ground-name"]
+    );
+    assert_eq!(
+        codes("t\nUNITS/LENGTH=METRE,MASS=GRAM,TIME=DAY,FORCE=DYNE\nPART/1, GROUND\nEND\n"),
+        ["dataset/unknown-word"]
+    );
+    assert_eq!(
+        codes(
+            "t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\nGRAPHICS/1, PLANE, RM = 1\nCONTACT/1, IGEOM=1, JGEOM=1, IMPACT\nEND\n"
+        ),
         ["dataset/shape-not-read", "dataset/refers-to-unread", "dataset/refers-to-unread"]
     );
 }
@@ -141,4 +165,43 @@ fn a_broken_statement_leaves_the_rest() {
     assert_eq!(session.objects("marker").len(), 3);
     assert!(session.undo());
     assert_eq!(session.model(), None);
+}
+
+/// What both say of what counts: the settings that two statements give.
+#[test]
+fn of_two_statements_of_settings_the_last_one_counts() {
+    let desk = Desk::new();
+    let text = format!(
+        "{HEAD}INTEGRATOR/HHT, ERROR=1E-4, HMAX=0.1\nINTEGRATOR/GSTIFF, SI2, ERROR=1E-6\nOUTPUT/REQSAVE\nOUTPUT/GRSAVE\nEND\n"
+    );
+    let mut session = quiet();
+    let report = session.read(&desk.put("m.adm", &text));
+    assert_eq!(report.failed, 0);
+    let second = report.diagnostics.iter().find(|d| d.code == "dataset/second-setting").unwrap();
+    let at = second.primary.as_ref().unwrap().span;
+    assert_eq!(session.sources().line_column(at.file, at.start).line, 15);
+    let written = desk.written(&mut session, "again.adm");
+    let expected = "INTEGRATOR/\n, GSTIFF\n, SI2\n, ERROR = 1.0E-06\n, HMAX = 0.1\n!\n";
+    assert!(written.contains(expected), "{written}");
+    assert!(written.contains("OUTPUT/\n, REQSAVE\n, GRSAVE\n!\n"), "{written}");
+}
+
+/// One complaint about a file of the other kind, and nothing is made of it.
+#[test]
+fn files_of_the_other_kind_are_told_from_their_text() {
+    let desk = Desk::new();
+    let commands = "model create model_name = .m\npart create rigid_body name_and_position &\n part_name = .m.p\n";
+    for (path, code, help) in [
+        (desk.put("a.adm", commands), "dataset/command-file", ".cmd"),
+        (desk.put("a.cmd", &format!("{HEAD}END\n")), "file/dataset", ".adm"),
+        (desk.put("b.cmd", "! a remark\nPART/1, GROUND\n"), "file/dataset", ".adm"),
+    ] {
+        let mut session = quiet();
+        let report = session.read(&path);
+        assert_eq!(report.failed, 1, "{}", path.display());
+        let [one] = &report.diagnostics[..] else { panic!("{:#?}", report.diagnostics) };
+        assert_eq!(one.code, code);
+        assert!(one.helps[0].text.contains(help), "{:?}", one.helps);
+        assert_eq!(session.model(), None);
+    }
 }
