@@ -160,7 +160,7 @@ pub struct Simulate {
 /// beams): tension is positive, dMy/dx = Vz, dMz/dx = -Vy.
 #[derive(Debug, Args)]
 pub struct BeamLoads {
-    /// Model (.cmd, .fx).
+    /// Model (.cmd, .adm, .fx).
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
@@ -243,13 +243,14 @@ pub enum ReportFormat {
 
 #[derive(Debug, Args)]
 pub struct Check {
-    /// Command files; `-` reads standard input.
+    /// Command files (.cmd, .mac) and models (.adm, .fx); `-` reads standard input.
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
     /// Form of the report.
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
-    /// Mend in the files what is certain to be mended so; standard input is written to standard output.
+    /// Mend in the files (.cmd, .mac, .adm) what is certain to be mended so; standard input is written to
+    /// standard output.
     #[arg(long)]
     pub fix: bool,
     /// With --fix: show what would change, and write nothing.
@@ -386,7 +387,7 @@ pub struct Support {
 
 #[derive(Debug, Args)]
 pub struct Diff {
-    /// Model (.cmd) or results (.csv, .parquet).
+    /// Model (.cmd, .adm, .fx) or results (.csv, .parquet).
     pub a: PathBuf,
     pub b: PathBuf,
     /// Largest difference, relative to the largest value of a series, that still counts as equal;

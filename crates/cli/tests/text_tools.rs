@@ -212,3 +212,26 @@ fn layout_of_the_examples_changes_no_model() {
         assert_eq!(run(&folder, &["diff", "dense.cmd", "laid_out.cmd"], "").0, 0);
     }
 }
+
+#[test]
+fn check_with_fix_mends_datasets_too() {
+    let folder = TempDir::new().unwrap();
+    let good = "t\nUNITS/SYSTEM=MKS\nPART/1,GROUND\nMARKER/1, PART=1\nEND\n";
+    let wrong = good.replace("MKS", "MKSS").replace("GROUND", "GROUNDD").replace("PART=", "PRT=");
+    put(&folder, "m.adm", &wrong);
+    let (status, out, errors) = run(&folder, &["check", "--fix", "--diff", "m.adm"], "");
+    assert!(out.contains("-PART/1,GROUNDD\n") && out.contains("+PART/1,GROUND\n"), "{status} {out}\n{errors}");
+    assert_eq!(written(&folder, "m.adm"), wrong, "looking changes nothing");
+    let (status, _, errors) = run(&folder, &["check", "--fix", "m.adm"], "");
+    assert_eq!((status, written(&folder, "m.adm").as_str()), (0, good), "{errors}");
+}
+
+#[test]
+fn fmt_refuses_datasets_by_name() {
+    let folder = TempDir::new().unwrap();
+    put(&folder, "m.adm", "t\nPART/1,GROUND\nEND\n");
+    let (status, out, errors) = run(&folder, &["fmt", "m.adm"], "");
+    assert_eq!((status, out.as_str()), (1, ""));
+    assert!(errors.contains("m.adm is a solver dataset"), "{errors}");
+    assert_eq!(written(&folder, "m.adm"), "t\nPART/1,GROUND\nEND\n");
+}

@@ -69,14 +69,14 @@ struct Input {
     original: Vec<u8>,
 }
 
-/// The files that can be mended, and those that cannot be read or hold no commands.
+/// The files that can be mended, and those that cannot be read or hold no text.
 fn inputs(paths: &[PathBuf]) -> (Vec<Input>, Vec<&Path>) {
     let (mut inputs, mut others) = (Vec::new(), Vec::new());
     for path in paths {
         let mut bytes = Vec::new();
         let read = match (path == Path::new("-"), extension(path).as_str()) {
             (true, _) => std::io::stdin().read_to_end(&mut bytes).is_ok(),
-            (false, "cmd" | "mac") => std::fs::read(path).map(|read| bytes = read).is_ok(),
+            (false, "cmd" | "mac" | "adm") => std::fs::read(path).map(|read| bytes = read).is_ok(),
             _ => false,
         };
         if read {

@@ -9,6 +9,7 @@ use flexure::text::{Diagnostic, Format};
 use crate::Outcome;
 use crate::arguments::Fmt;
 use crate::commands::{complain, count, unified};
+use crate::output::extension;
 
 pub(super) fn execute(fmt: &Fmt) -> Outcome {
     let (mut changed, mut troubled) = (0_usize, false);
@@ -35,6 +36,10 @@ pub(super) fn execute(fmt: &Fmt) -> Outcome {
 fn one(fmt: &Fmt, path: &Path) -> Result<(bool, bool), String> {
     let stdin = path == Path::new("-");
     let name = if stdin { "<standard input>".to_owned() } else { path.display().to_string() };
+    if extension(path) == "adm" {
+        let help = "command files are laid out; `flexure convert` writes a dataset anew, or as commands";
+        return Err(format!("{name} is a solver dataset: {help}"));
+    }
     let mut bytes = Vec::new();
     let read = if stdin {
         std::io::stdin().read_to_end(&mut bytes).map(|_| ())
