@@ -46,7 +46,7 @@ fn command(pairs: &[(&str, &str)]) -> String {
     let mut text = "force modify element_like beam".to_string();
     let mut blank = " ";
     for (name, value) in pairs {
-        text += &format!("{blank}&\n{name} =\n{value}");
+        text.extend([blank, "&\n", name, " =\n", value]);
         blank = if *name == TIGHT { "" } else { " " };
     }
     text + "\n"

@@ -5,7 +5,7 @@
 #[allow(dead_code)]
 mod scene;
 
-use scene::{Scene, codes};
+use scene::Scene;
 
 fn modify(s: &mut Scene, values: &str) {
     s.accept(&format!("force modify element_like beam beam_name = .m.beam1 {values}"));
