@@ -366,7 +366,7 @@ fn a_beam_that_is_only_pulled_balances() {
         let turned = format!("{degrees:?},0,0");
         let mut commands = UNITS.to_string();
         part(&mut commands, "a", "0,0,0");
-        commands += &format!("marker modify marker_name=.m.a.cm location={}\n", at(1.37));
+        writeln!(commands, "marker modify marker_name=.m.a.cm location={}", at(1.37)).unwrap();
         marker(&mut commands, "a.i", &at(1.001), &turned);
         marker(&mut commands, "ground.root", "0,0,0", &turned);
         beam(&mut commands, "one", "a.i", "ground.root", "length=1");

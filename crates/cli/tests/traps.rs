@@ -1,5 +1,6 @@
 //! Traps and findings of beams at the command line: what is printed, what is mended, what is not drawn.
 
+use std::fmt::Write;
 use std::fs;
 
 use assert_cmd::Command;
@@ -169,10 +170,11 @@ fn the_command_that_lists_all_findings_does() {
     let folder = TempDir::new().unwrap();
     let mut model = TRAPS.to_string();
     for k in 0..250 {
-        model += &format!(
+        let _ = writeln!(
+            model,
             "force create element_like beam beam_name=.m.b{k} i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200 \
              area_of_cross_section=200 ixx=4577.5 iyy=(20000/3) izz=(5000/3) youngs_modulus=2.07E5 shear_modulus=8.0E4 \
-             y_shear_area_ratio=0.8\n"
+             y_shear_area_ratio=0.8"
         );
     }
     fs::write(folder.path().join("many.cmd"), model).unwrap();

@@ -1,6 +1,8 @@
 //! The lowest modes by iteration against the twin that finds all modes at once, where joints leave
 //! fewer free motions than there are iterated vectors.
 
+use std::fmt::Write;
+
 use flexure::Session;
 use solver::{ModeOptions, SystemState, initial, lowest_modes, modes};
 
@@ -15,7 +17,8 @@ fn model(first: &str, second: &str) -> String {
     for (name, x, inertia, joint) in [("a", 1.1, "1,2,3", first), ("b", 5.7, "0.4,0.1,0.2", second)] {
         let [ixx, iyy, izz] = inertia.split(',').collect::<Vec<_>>().try_into().unwrap();
         let (ground, back) = if name == "a" { ("j", 1.1) } else { ("k", 0.7) };
-        text += &format!(
+        let _ = writeln!(
+            text,
             "part create rigid_body name_and_position part_name=.m.{name} location={x},0,0 orientation=0,0,0\n\
              marker create marker_name=.m.{name}.cm location=0,0,0 orientation=0,0,0 relative_to=.m.{name}\n\
              marker create marker_name=.m.{name}.o location=-{back},0,0 orientation=0,0,0 relative_to=.m.{name}\n\
@@ -23,12 +26,13 @@ fn model(first: &str, second: &str) -> String {
              ixx={ixx} iyy={iyy} izz={izz}\n\
              force create element_like beam beam_name=.m.beam_{name} i_marker_name=.m.{name}.cm \
              j_marker_name=.m.ground.{ground} length={back} area_of_cross_section=1.2e-4 youngs_modulus=2e9 \
-             shear_modulus=8e8 ixx=2e-8 iyy=1.1e-8 izz=1.3e-8\n"
+             shear_modulus=8e8 ixx=2e-8 iyy=1.1e-8 izz=1.3e-8"
         );
         if !joint.is_empty() {
-            text += &format!(
+            let _ = writeln!(
+                text,
                 "constraint create {joint}_name=.m.joint_{name} i_marker_name=.m.{name}.o \
-                 j_marker_name=.m.ground.{ground}\n"
+                 j_marker_name=.m.ground.{ground}"
             );
         }
     }
