@@ -3,53 +3,7 @@
 use std::ops::Range;
 
 use model::{FunctionText, ObjectId, Piece};
-
-/// What a function of the solver refers to: the statement of each argument that is a number of an
-/// object; the last entry holds for all arguments behind it.
-const OF_MARKERS: &[&str] = &["MARKER"];
-const OF_ELEMENT: [&str; 5] = ["", "", "", "MARKER", ""];
-const REFERRING: &[(&[&str], &[&str])] = &[
-    (&["DX", "DY", "DZ", "DM", "AX", "AY", "AZ", "PSI", "THETA", "PHI", "YAW", "PITCH", "ROLL", "INCANG"], OF_MARKERS),
-    (&["VX", "VY", "VZ", "VM", "VR", "WX", "WY", "WZ", "WM"], OF_MARKERS),
-    (&["ACCX", "ACCY", "ACCZ", "ACCM", "WDTX", "WDTY", "WDTZ", "WDTM"], OF_MARKERS),
-    (&["FX", "FY", "FZ", "FM", "TX", "TY", "TZ", "TM"], OF_MARKERS),
-    (&["VARVAL"], &["VARIABLE", ""]),
-    (&["DIF", "DIF1"], &["DIFF", ""]),
-    (&["ARYVAL"], &["ARRAY", ""]),
-    (&["SENVAL"], &["SENSOR", ""]),
-    (&["AKISPL", "CUBSPL"], &["", "", "SPLINE", ""]),
-    (&["CURVE"], &["", "", "", "CURVE", ""]),
-];
-/// Loads of an element: its number, the side, the component, the marker of the axes.
-const ELEMENTS: &[(&str, &str)] = &[
-    ("JOINT", "JOINT"),
-    ("JPRIM", "JPRIM"),
-    ("MOTION", "MOTION"),
-    ("BEAM", "BEAM"),
-    ("BUSHING", "BUSHING"),
-    ("FIELD", "FIELD"),
-    ("SFORCE", "SFORCE"),
-    ("VFORCE", "VFORCE"),
-    ("VTORQ", "VTORQUE"),
-    ("GFORCE", "GFORCE"),
-    ("NFORCE", "NFORCE"),
-    ("SPDP", "SPRINGDAMPER"),
-    ("PTCV", "PTCV"),
-    ("CVCV", "CVCV"),
-    ("GEAR", "GEAR"),
-    ("CONTACT", "CONTACT"),
-    ("FRICTION", "FRICTION"),
-];
-
-/// The statement that an argument of a function is the number of.
-fn referred(function: &str, argument: usize) -> Option<&'static str> {
-    let is = |name: &&str| name.eq_ignore_ascii_case(function);
-    if let Some((_, kinds)) = REFERRING.iter().find(|(names, _)| names.iter().any(is)) {
-        return kinds.get(argument).or(kinds.last()).copied().filter(|kind| !kind.is_empty());
-    }
-    let (_, statement) = ELEMENTS.iter().find(|(name, _)| is(name))?;
-    if argument == 0 { Some(statement) } else { OF_ELEMENT.get(argument).copied().filter(|kind| !kind.is_empty()) }
-}
+use schema::referred;
 
 /// A number in an expression for which there is no object.
 #[derive(Debug, PartialEq)]
@@ -93,7 +47,8 @@ pub(crate) fn bind(
                 let length = text[at..].find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
                 word = at..at + length.unwrap_or(text.len() - at);
                 let alone = leads && text[word.end..].trim_start().starts_with([',', ')']);
-                let kind = open.last().filter(|_| alone).and_then(|(function, argument)| referred(function, *argument));
+                let wanted = open.last().filter(|_| alone).map(|(function, argument)| referred(function, *argument));
+                let kind = wanted.and_then(|statements| statements.first().copied());
                 let number = kind.and_then(|_| text[word.clone()].parse::<i64>().ok()).filter(|n| *n > 0);
                 if let (Some(statement), Some(number)) = (kind, number) {
                     if let Some(object) = find(statement, number) {
