@@ -445,7 +445,7 @@ impl Session {
 }
 
 /// How much of a file tells what it holds.
-const HEAD: usize = 65_536;
+const HEAD: usize = 8_192;
 
 /// A path as the text of a command.
 fn quoted(path: &Path) -> String {

@@ -22,18 +22,19 @@ pub struct BadFunction {
 /// The functions of all objects that cannot be used, in order of creation.
 pub fn bad_functions(database: &Database) -> Vec<BadFunction> {
     let mut found = Vec::new();
-    for object in database.ids() {
-        let class = database.object(object).class;
-        let Some(model) = database.model_of(object).filter(|_| class.statement.is_some()) else { continue };
-        for field in class.fields() {
-            let Some(Value::Function(_)) = database.value(object, field.name) else { continue };
-            let text = text_of(database, object, field.name);
+    for id in database.ids() {
+        let object = database.object(id);
+        for (index, cell) in object.cells.iter().enumerate() {
+            let Some(Value::Function(_)) = cell.as_ref().map(|cell| &cell.value) else { continue };
+            let Some(model) = database.model_of(id).filter(|_| object.class.statement.is_some()) else { continue };
+            let name = object.class.field(index).name;
+            let text = text_of(database, id, name);
             if text.trim().is_empty() {
                 continue;
             }
             let diagnostics = troubles(database, model, &text);
             if !diagnostics.is_empty() {
-                found.push(BadFunction { object, cell: field.name, diagnostics });
+                found.push(BadFunction { object: id, cell: name, diagnostics });
             }
         }
     }
