@@ -198,21 +198,6 @@ impl Interpreter {
         &self.tree
     }
 
-    /// What simulates and writes for this session.
-    pub fn host_mut(&mut self) -> &mut dyn Host {
-        self.host.as_mut()
-    }
-
-    /// Exchanges what simulates and writes; returns what did before.
-    pub fn set_host(&mut self, host: Box<dyn Host>) -> Box<dyn Host> {
-        std::mem::replace(&mut self.host, host)
-    }
-
-    /// A flag that stops execution before the next command when it is set.
-    pub fn interrupt_flag(&self) -> Arc<AtomicBool> {
-        self.interrupt.clone()
-    }
-
     /// Lets several interpreters and a signal handler share one flag.
     pub fn set_interrupt_flag(&mut self, flag: Arc<AtomicBool>) {
         self.interrupt = flag;

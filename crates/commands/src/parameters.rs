@@ -29,6 +29,11 @@ pub(crate) fn parameters_of(action: &Action, path: &str, attributes: &[&'static 
     }
 }
 
+/// Whether a command sets how objects look and whether they act, of many at once.
+pub(crate) fn is_attributes(command: &str) -> bool {
+    command.ends_with(" attributes")
+}
+
 fn plain(field: &Field) -> Parameter {
     Parameter { name: field.name.into(), role: Role::Field, field: *field }
 }
@@ -44,7 +49,7 @@ fn field_parameters(group: &'static Group, excluded: Use) -> impl Iterator<Item 
 
 /// The parameters of a command that sets cells of objects of several classes.
 fn set_parameters(path: &str, groups: &[ClassGroup]) -> Vec<Parameter> {
-    let many = path.ends_with(" attributes");
+    let many = is_attributes(path);
     let mut list: Vec<Parameter> = Vec::new();
     for (_, group) in groups {
         if knows(&list, group.object) {

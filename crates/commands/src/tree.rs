@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 
 use crate::{
     known,
-    parameters::parameters_of,
+    parameters::{is_attributes, parameters_of},
     verbs::{self, VerbEntry},
     words::{Match, match_word},
 };
@@ -163,7 +163,7 @@ pub enum Path {
 impl CommandTree {
     pub fn new(registry: &Registry) -> CommandTree {
         let groups = || registry.classes.iter().flat_map(|c| c.groups.iter().map(move |g| (*c, g)));
-        let attributes = groups().map(|(_, g)| g).filter(|g| g.command.ends_with(" attributes")).collect();
+        let attributes = groups().map(|(_, g)| g).filter(|g| is_attributes(g.command)).collect();
         let mut tree = CommandTree { nodes: vec![Node::default()], attributes };
         for (path, words) in known::KEYWORDS {
             let node = tree.reach(path.split_whitespace());
@@ -263,32 +263,29 @@ impl CommandTree {
         for (at, word) in words.iter().enumerate() {
             let children = &self.nodes[node].children;
             let spelled_out = children.place(word).map(Match::One);
-            let matched = match spelled_out.unwrap_or_else(|| match_word(children.words(), word)) {
-                // Forms the list of keywords alone knows give way where abbreviations tie.
+            match spelled_out.unwrap_or_else(|| match_word(children.words(), word)) {
                 Match::Many(found) => return Path::Ambiguous { at, candidates: self.names(node, &found) },
-                other => other,
-            };
-            match matched {
                 Match::One(i) => {
                     if let Some((name, child)) = children.words.get(i) {
                         path.push(name);
                         node = *child;
                     }
                 }
-                _ if self.nodes[node].entry.is_some() => return Path::Surplus { at },
+                Match::None if self.nodes[node].entry.is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
-                _ if self.nodes[node].known_only
-                    && (self.nodes[node].children.words.is_empty()
-                        || known::OPEN.contains(&path.join(" ").as_str())) =>
+                Match::None
+                    if self.nodes[node].known_only
+                        && (self.nodes[node].children.words.is_empty()
+                            || known::OPEN.contains(&path.join(" ").as_str())) =>
                 {
                     return Path::Found(unsupported(&path.join(" "), &words[at..]));
                 }
-                _ => return Path::Unknown { at, near: self.following(node) },
+                Match::None => return Path::Unknown { at, near: self.following(node) },
             }
         }
         match self.command(node, &path) {
             Some(command) => Path::Found(command.clone()),
-            None if self.nodes[node].known_only && self.nodes[node].children.words.is_empty() && node != 0 => {
+            None if self.nodes[node].known_only && self.nodes[node].children.words.is_empty() => {
                 Path::Found(unsupported(&path.join(" "), &[]))
             }
             None if path.len() > 1 && known::OPEN.contains(&path.join(" ").as_str()) => {

@@ -34,12 +34,6 @@ impl Finding {
         self.fix = Some(command.into());
         self
     }
-
-    #[must_use]
-    pub fn about(mut self, object: ObjectId) -> Finding {
-        self.object = Some(object);
-        self
-    }
 }
 
 /// Everything doubtful about a model: what elements find in their data, what lowering reports, and

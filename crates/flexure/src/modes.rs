@@ -9,8 +9,7 @@ use text::Diagnostic;
 
 use crate::run::RunObserver;
 use crate::settings::static_options;
-use crate::simulate::failed;
-use crate::start::prepare;
+use crate::start::{evaluation, failed, prepare};
 
 /// The state that modes are about.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -171,7 +170,7 @@ fn spinning<'a>(
     }
     let point: DVec3 = pose.origin * database.units().factor(Dimension::LENGTH);
     let mut spin = Spin::new(system, point, axis * rate);
-    let broken = spin.broken_equation(state.t, &state.q).map_err(|e| vec![crate::simulate::evaluation(&e)])?;
+    let broken = spin.broken_equation(state.t, &state.q).map_err(|e| vec![evaluation(&e)])?;
     match broken {
         None => Ok(spin),
         Some((name, by)) => Err(vec![

@@ -12,7 +12,7 @@ use text::Diagnostic;
 use crate::recorder::{Recorder, concern_warnings};
 use crate::run::{Progress, Run, RunHeader, RunObserver};
 use crate::settings::{Analysis, Outputs, SimulationOptions, integrator_options, static_options};
-use crate::start::{Prepared, prepare};
+use crate::start::{Prepared, failed, prepare};
 
 /// What a run is made of.
 pub(crate) struct Simulation<'a> {
@@ -251,12 +251,4 @@ fn move_along(
         }
     }
     Ok(work)
-}
-
-pub(crate) fn evaluation(error: &solver::Evaluation) -> Diagnostic {
-    Diagnostic::error("run/not-computable", error.message.clone())
-}
-
-pub(crate) fn failed(failure: &Failure) -> Diagnostic {
-    Diagnostic::error("run/failed", failure.to_string()).adams("ERROR:  Simulation failure detected.")
 }

@@ -8,8 +8,6 @@ use solver::redundancy::{self, SparseRows};
 use solver::{Dae, Failure, SystemState, initial};
 use text::Diagnostic;
 
-use crate::simulate::{evaluation, failed};
-
 /// A model as equations, its redundant equations switched off, at a consistent state.
 pub(crate) struct Prepared {
     pub lowered: Lowered,
@@ -145,6 +143,10 @@ fn odd_inertias(database: &Database, model: ObjectId) -> Vec<Diagnostic> {
     warnings
 }
 
+/// Share of the model's size (at least 1 m), and of the largest speed in an equation, by which an equation
+/// that was switched off may fail: what models written with six digits leave of equations that agree.
+const APART: f64 = 1e-6;
+
 /// Equations that were switched off because others say the same must hold all the same, in position
 /// and in velocity.
 fn contradictions(system: &mut System, state: &SystemState) -> Result<(), Vec<Diagnostic>> {
@@ -162,12 +164,12 @@ fn contradictions(system: &mut System, state: &SystemState) -> Result<(), Vec<Di
         let speed: f64 = row.entries.iter().map(|(column, value)| value * state.v[*column]).sum();
         let rate = speed + rates[&row.constraint][row.equation];
         let fast = row.entries.iter().map(|(column, value)| (value * state.v[*column]).abs()).fold(1.0, f64::max);
-        if row.phi.abs() > 1e-6 * length || rate.abs() > 1e-6 * fast {
+        let off = row.phi.abs() > APART * length;
+        if off || rate.abs() > APART * fast {
             let constraint = &system.constraint_list()[row.constraint];
             let (short, words) = constraint.equation_name(row.equation);
             let text = format!("`{}` contradicts other constraints: equation {short} cannot hold", constraint.name());
-            let what = if row.phi.abs() > 1e-6 * length { "is off by" } else { "changes at a rate of" };
-            let size = if row.phi.abs() > 1e-6 * length { row.phi } else { rate };
+            let (what, size) = if off { ("is off by", row.phi) } else { ("changes at a rate of", rate) };
             errors.push(
                 Diagnostic::error("run/contradictory-constraints", text)
                     .note(format!("{words} {what} {size:.6e} (SI) when the others hold"))
@@ -176,4 +178,12 @@ fn contradictions(system: &mut System, state: &SystemState) -> Result<(), Vec<Di
         }
     }
     if errors.is_empty() { Ok(()) } else { Err(errors) }
+}
+
+pub(crate) fn evaluation(error: &solver::Evaluation) -> Diagnostic {
+    Diagnostic::error("run/not-computable", error.message.clone())
+}
+
+pub(crate) fn failed(failure: &Failure) -> Diagnostic {
+    Diagnostic::error("run/failed", failure.to_string()).adams("ERROR:  Simulation failure detected.")
 }

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use flexure::Session;
-use solver::{ModeOptions, SystemState, initial, lowest_modes, modes};
+use solver::{Look, LowestModes, ModeOptions, SystemState, initial, modes};
 
 /// Two bodies and a beam on each; joints decide how many motions are left.
 fn model(first: &str, second: &str) -> String {
@@ -70,7 +70,7 @@ fn joints_that_leave_few_motions_do_not_lead_astray() {
         initial::accelerations(&mut system, &mut state).unwrap();
         let dense = modes(&mut system, &state, &ModeOptions::default()).unwrap();
         assert_eq!(dense.freedoms, freedom);
-        let found = lowest_modes(&mut system, &state, 12).unwrap();
+        let found = LowestModes::new(&mut system, &state).unwrap().find(12, |_| Look::Wanted).unwrap().modes;
         let expected: Vec<f64> = dense.modes.iter().map(|m| m.undamped_frequency() * std::f64::consts::TAU).collect();
         let shown: Vec<f64> = found.iter().map(|m| m.frequency).collect();
         assert_eq!(found.len(), freedom, "{expected:?} {shown:?}");

@@ -31,6 +31,8 @@ fn imports(name: &str, own: &BTreeSet<String>) -> BTreeSet<String> {
     dependencies
         .lines()
         .filter_map(|l| l.split(['.', '=', ' ']).next())
+        // A crate may also be named in full.
+        .map(|n| n.strip_prefix("flexure-").unwrap_or(n))
         // The room `parquet` is named after the library it wraps.
         .filter(|n| own.contains(*n) && *n != name)
         .map(ToString::to_string)

@@ -3,17 +3,12 @@
 use flexure::Session;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use text::{Diagnostic, Severity};
+use text::Diagnostic;
 
 /// A diagnostic as a dictionary: severity, code, message, file, line, column, notes, helps, text.
 pub fn to_dict<'py>(py: Python<'py>, session: &Session, diagnostic: &Diagnostic) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
-    let severity = match diagnostic.severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
-    };
-    dict.set_item("severity", severity)?;
+    dict.set_item("severity", diagnostic.severity.word())?;
     dict.set_item("code", diagnostic.code)?;
     dict.set_item("message", &diagnostic.message)?;
     let place = diagnostic.primary.as_ref().map(|label| {

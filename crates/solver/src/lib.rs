@@ -19,7 +19,7 @@ mod statics;
 
 pub use dae::{Dae, Evaluation, JacobianPoint, Pattern, Scales};
 pub use integrators::{IntegratorOptions, Method, integrate, output_times};
-pub use lowest::{Found, Look, LowMode, LowestModes, lowest_modes};
+pub use lowest::{Found, Look, LowMode, LowestModes};
 pub use modes::{Mode, ModeOptions, Modes, modes};
 pub use state::{Control, Failure, Observer, Progress, Reason, Silent, Statistics, SystemState};
 pub use statics::{StaticMethod, StaticOptions, StaticReport, equilibrium};

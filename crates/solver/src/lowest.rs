@@ -62,17 +62,6 @@ const ITERATIONS: usize = 6;
 /// Most iterations with the last shift.
 const LAST: usize = 30;
 
-/// The lowest modes about a state, by rising frequency, as many as `vectors` iterated ones show; the
-/// lowest elastic one among them is converged, and so are those below it. Empty if all motions that
-/// were iterated are rigid: then more vectors are needed.
-///
-/// # Errors
-/// If the equations cannot be evaluated, or a motion has neither mass nor stiffness.
-pub fn lowest_modes(dae: &mut dyn Dae, state: &SystemState, vectors: usize) -> Result<Vec<LowMode>, Failure> {
-    let found = LowestModes::new(dae, state)?.find(vectors, |_| Look::Wanted)?;
-    Ok(found.lowest.map(|_| found.modes).unwrap_or_default())
-}
-
 /// Vectors and their products with the mass.
 struct Basis {
     vectors: Vec<Vec<f64>>,
@@ -314,6 +303,10 @@ mod tests {
     use crate::problems::oscillator::SpringChain;
     use crate::problems::pendulum::Pendulum;
 
+    fn modes(dae: &mut dyn Dae, state: &SystemState) -> Vec<LowMode> {
+        LowestModes::new(dae, state).unwrap().find(12, |_| Look::Wanted).unwrap().modes
+    }
+
     /// Truth: w_1 = 2 sqrt(k/m) sin(pi / (4 n + 2)) of a chain fixed at one end, and damping c = b k
     /// gives b w_1 / 2; the free chain has a rigid motion and w = 2 sqrt(k/m) sin(pi / 2 n). The
     /// iteration ends at changes of 1e-6, and the frequency of a shape is of second order in its error.
@@ -323,7 +316,7 @@ mod tests {
             let (mass, stiffness, damping) = (0.5, 800.0, 0.4);
             let mut chain = SpringChain::uniform(n, mass, stiffness, damping);
             let state = SystemState::at_rest(&chain, 0.0, vec![0.0; n]);
-            let found = lowest_modes(&mut chain, &state, 12).unwrap();
+            let found = modes(&mut chain, &state);
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (4 * n + 2) as f64).sin();
             assert!((found[0].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[0].frequency);
             assert!((found[0].damping_ratio / (0.5 * damping / stiffness * w) - 1.0).abs() < 1e-6, "{n}");
@@ -331,7 +324,7 @@ mod tests {
                 continue;
             }
             chain.stiffness[0] = 0.0;
-            let found = lowest_modes(&mut chain, &state, 12).unwrap();
+            let found = modes(&mut chain, &state);
             let w = 2.0 * (stiffness / mass).sqrt() * (std::f64::consts::PI / (2 * n) as f64).sin();
             assert_eq!(found[0].frequency, 0.0, "{n}");
             assert!((found[1].frequency / w - 1.0).abs() < 1e-6, "{n}: {} {w}", found[1].frequency);
@@ -344,7 +337,7 @@ mod tests {
         let mut pendulum = Pendulum { mass: 3.0, length: 0.5, gravity: 9.80665, scale: 1.0 };
         let mut state = SystemState::at_rest(&pendulum, 0.0, vec![0.0, -0.5]);
         crate::initial::accelerations(&mut pendulum, &mut state).unwrap();
-        let found = lowest_modes(&mut pendulum, &state, 12).unwrap();
+        let found = modes(&mut pendulum, &state);
         assert_eq!(found.len(), 1);
         assert!((found[0].frequency / (9.80665f64 / 0.5).sqrt() - 1.0).abs() < 1e-9, "{found:?}");
     }

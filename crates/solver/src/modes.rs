@@ -150,6 +150,9 @@ fn normalised(mut shape: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 /// matrices; the next shift gives another matrix.
 const SHIFTS: [f64; 4] = [0.05, 0.04, 0.07, 0.1];
 
+/// Highest frequency assumed of a model without stiffness or mass: the first shift is then 1 rad/s.
+const NO_SCALE: f64 = 1.0 / SHIFTS[0];
+
 struct Reduced {
     mass: Matrix,
     damping: Matrix,
@@ -166,7 +169,7 @@ impl Reduced {
         let diagonal = |a: &Matrix| (0..f).map(|i| a[(i, i)].abs()).sum::<f64>();
         let (mass, stiffness) = (diagonal(&self.mass), diagonal(&self.stiffness));
         let highest = (stiffness / mass).sqrt();
-        let unit = if highest.is_finite() && highest > 0.0 { highest } else { 20.0 };
+        let unit = if highest.is_finite() && highest > 0.0 { highest } else { NO_SCALE };
         SHIFTS.iter().find_map(|share| self.eigenvalues_from(share * unit))
     }
 

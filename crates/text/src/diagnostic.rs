@@ -10,6 +10,17 @@ pub enum Severity {
     Note,
 }
 
+impl Severity {
+    /// What messages and reports call it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        }
+    }
+}
+
 /// A span with what is special about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {

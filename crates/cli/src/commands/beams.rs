@@ -6,7 +6,9 @@ use flexure::{BeamState, BeamsAt, BeamsReport};
 
 use crate::Outcome;
 use crate::arguments::{BeamLoads, DiffFormat};
-use crate::commands::{complain, open, picture_format, picture_size, print_found, session, set_beams, shown};
+use crate::commands::{
+    complain, open, picture_format, picture_size, print_found, save_picture, session, set_beams, shown,
+};
 use crate::output::read_table;
 
 /// Beside the largest of its kind a value below this part of it is a zero with rounding.
@@ -63,21 +65,7 @@ pub(super) fn execute(request: &BeamLoads) -> Outcome {
     let along = format!("along the beams ({})", report.length_unit);
     let marks = marks(&report);
     let drawn = diagram(&DiagramRequest { title: &title, along: &along, panels: &panels, marks: &marks, size, format });
-    let written = drawn
-        .map_err(|e| e.to_string())
-        .and_then(|bytes| std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display())));
-    match written {
-        Ok(()) => {
-            if request.format == DiffFormat::Text {
-                println!("{}", path.display());
-            }
-            Outcome::Fine
-        }
-        Err(sentence) => {
-            complain(sentence);
-            Outcome::Findings
-        }
-    }
+    save_picture(path, drawn, request.format == DiffFormat::Text)
 }
 
 /// The largest force, moment, and so on of a report, beside which others are zeros.

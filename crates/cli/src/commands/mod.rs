@@ -127,6 +127,25 @@ fn picture_size(text: &str) -> Option<(u32, u32)> {
     size
 }
 
+/// Writes what was drawn into a file; `named` says so on standard output.
+fn save_picture(path: &Path, drawn: Result<Vec<u8>, impl std::fmt::Display>, named: bool) -> Outcome {
+    let written = drawn
+        .map_err(|sentence| sentence.to_string())
+        .and_then(|bytes| std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display())));
+    match written {
+        Ok(()) => {
+            if named {
+                println!("{}", path.display());
+            }
+            Outcome::Fine
+        }
+        Err(sentence) => {
+            complain(sentence);
+            Outcome::Findings
+        }
+    }
+}
+
 /// A sentence on standard error, as every refusal of a subcommand.
 pub(crate) fn complain(sentence: impl std::fmt::Display) {
     eprintln!("flexure: {sentence}");

@@ -6,7 +6,7 @@ use flexure::results::{Format, PictureRequest, PlotRequest, picture, plot};
 
 use crate::Outcome;
 use crate::arguments::{Edits, Plot};
-use crate::commands::{complain, open, picture_format, picture_size, print, session};
+use crate::commands::{open, picture_format, picture_size, print, save_picture, session};
 use crate::output::{extension, read_table};
 
 pub(super) fn execute(request: &Plot) -> Outcome {
@@ -18,18 +18,7 @@ pub(super) fn execute(request: &Plot) -> Outcome {
         "csv" | "parquet" => draw_results(request, &title, size, format),
         _ => draw_model(&request.input, &title, size, format),
     };
-    match drawn.and_then(|bytes| {
-        std::fs::write(&request.out, bytes).map_err(|e| format!("cannot write {}: {e}", request.out.display()))
-    }) {
-        Ok(()) => {
-            println!("{}", request.out.display());
-            Outcome::Fine
-        }
-        Err(sentence) => {
-            complain(sentence);
-            Outcome::Findings
-        }
-    }
+    save_picture(&request.out, drawn, true)
 }
 
 fn draw_results(request: &Plot, title: &str, size: (u32, u32), format: Format) -> Result<Vec<u8>, String> {

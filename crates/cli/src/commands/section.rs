@@ -6,7 +6,7 @@ use flexure::sections::{Properties, Shape, Side, Theory};
 
 use crate::Outcome;
 use crate::arguments::{DiffFormat, Section, ShearTheory};
-use crate::commands::{complain, picture_format, shown};
+use crate::commands::{complain, picture_format, save_picture, shown};
 
 pub(super) fn execute(request: &Section) -> Outcome {
     let format = request.out.as_deref().map(picture_format);
@@ -35,21 +35,8 @@ pub(super) fn execute(request: &Section) -> Outcome {
         DiffFormat::Json => println!("{:#}", json(request, shape, theory, &properties)),
     }
     let (Some(path), Some(format)) = (&request.out, format.flatten()) else { return Outcome::Fine };
-    let drawn = draw(request, shape, &properties, format).and_then(|bytes| {
-        std::fs::write(path, bytes).map_err(|error| format!("cannot write {}: {error}", path.display()))
-    });
-    match drawn {
-        Ok(()) => {
-            if request.format == DiffFormat::Text {
-                println!("{}", path.display());
-            }
-            Outcome::Fine
-        }
-        Err(sentence) => {
-            complain(sentence);
-            Outcome::Findings
-        }
-    }
+    let drawn = draw(request, shape, &properties, format);
+    save_picture(path, drawn, request.format == DiffFormat::Text)
 }
 
 /// Every size that was given, with the name of its option.
@@ -124,7 +111,7 @@ fn json(request: &Section, shape: Shape, theory: Theory, properties: &Properties
         "kind": shape.kind(),
         "sizes": serde_json::Value::Object(sizes.collect()),
         "length_unit": request.units,
-        "shear_theory": match theory { Theory::None => "none", Theory::Energy => "energy", Theory::Cowper => "cowper" },
+        "shear_theory": Theory::WORDS[theory as usize],
         "poisson_ratio": request.nu,
     });
     for (name, _, value, _) in rows(properties, &request.units) {

@@ -78,11 +78,7 @@ fn json(found: &Verification) -> serde_json::Value {
         .iter()
         .map(|f| {
             serde_json::json!({
-                "severity": match f.diagnostic.severity {
-                    Severity::Error => "error",
-                    Severity::Warning => "warning",
-                    Severity::Note => "note",
-                },
+                "severity": f.diagnostic.severity.word(),
                 "code": f.diagnostic.code,
                 "message": f.diagnostic.message,
                 "notes": f.diagnostic.notes,

@@ -7,7 +7,7 @@ mod arguments;
 use model::{Database, ObjectId, UnitsId, Value};
 use schema::{Class, Dimension, Field, Group};
 
-use crate::{kept::Kept, number, place};
+use crate::{kept::Kept, number, parameters::is_attributes, place};
 
 /// The commands that build a model, without those that its session has skipped.
 pub fn write_model(database: &Database, model: ObjectId) -> String {
@@ -210,7 +210,7 @@ impl Writer<'_> {
                     self.object(child);
                 }
             }
-            for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g)) {
+            for group in object.class.groups.iter().filter(|g| !g.creates && !is_attributes(g.command)) {
                 if object.class.id == "ground" {
                     // A ground has no mass and no velocity, but it may be of some material.
                     let values = self.arguments(id, group, Phase::Create);
@@ -235,7 +235,7 @@ impl Writer<'_> {
                     self.object(child);
                 }
             }
-            for group in object.class.groups.iter().filter(|g| is_attributes(g)) {
+            for group in object.class.groups.iter().filter(|g| is_attributes(g.command)) {
                 self.set(id, group);
             }
         }
@@ -373,7 +373,7 @@ impl Writer<'_> {
     }
 
     fn footer(&mut self, model: ObjectId) {
-        for group in self.database.object(model).class.groups.iter().filter(|g| is_attributes(g)) {
+        for group in self.database.object(model).class.groups.iter().filter(|g| is_attributes(g.command)) {
             self.set(model, group);
         }
         let name = model::quoted(&self.database.object(model).name);
@@ -464,10 +464,6 @@ impl Writer<'_> {
             self.command(group.command, &arguments);
         }
     }
-}
-
-fn is_attributes(group: &Group) -> bool {
-    group.command.ends_with(" attributes")
 }
 
 fn modify_path(group: &Group) -> String {

@@ -138,8 +138,7 @@ impl<'a> Builder<'a> {
                 self.count(argument, 0, "1");
                 return None;
             };
-            let kind = if keyword == "PART" { "PART" } else { "POINT_MASS" };
-            return self.object(&entry, argument, item, &[kind], "body");
+            return self.object(&entry, argument, item, &[keyword], "body");
         }
         let flexible = ["FLEX_BODY", "FE_PART"].iter().find_map(|keyword| statement.argument(keyword));
         if let Some(argument) = flexible {

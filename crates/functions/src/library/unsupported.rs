@@ -5,7 +5,7 @@ const UNSUPPORTED: &[(&[&str], &str)] = &[
     (&["ARYVAL", "PINVAL", "POUVAL"], "it reads an array or plant signal, and these are not simulated yet"),
     (&["DIF", "DIF1"], "it reads a differential equation, and these are not simulated yet"),
     (&["SENVAL"], "it reads a sensor, and sensors are not simulated yet"),
-    (&["AKISPL", "CUBSPL", "CURVE", "INTERP", "INVPSD"], "it reads a spline or curve, and these are not read yet"),
+    (&["AKISPL", "CUBSPL", "CURVE", "INTERP", "INVPSD"], "it reads a spline or curve, and these are not evaluated yet"),
     (&["CONTACT"], "it reads a contact, and contacts are not simulated yet"),
     (&["FRICTION"], "it reads joint friction, which is not simulated yet"),
     (&["NFORCE"], "it reads a multi-point force, which is not simulated yet"),

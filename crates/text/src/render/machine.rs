@@ -3,7 +3,7 @@
 use quick_xml::escape::escape;
 use serde_json::{Value, json};
 
-use super::{one_line, printable, range, severity_word};
+use super::{one_line, printable, range};
 use crate::{Diagnostic, Label, Severity, Sources, Span};
 
 pub(super) fn json(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
@@ -11,7 +11,7 @@ pub(super) fn json(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         .iter()
         .map(|d| {
             json!({
-                "severity": severity_word(d.severity),
+                "severity": d.severity.word(),
                 "code": d.code,
                 "message": d.message,
                 "primary": d.primary.as_ref().map(|label| json_label(sources, label)),
@@ -129,7 +129,7 @@ pub(super) fn sarif(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
             let separator = if details.is_empty() { "" } else { "\n" };
             json!({
                 "ruleId": d.code,
-                "level": severity_word(d.severity),
+                "level": d.severity.word(),
                 "message": { "text": format!("{}{separator}{details}", d.message) },
                 "locations": d.primary.iter().map(|label| location(label.span)).collect::<Vec<_>>(),
                 "relatedLocations": d.secondary.iter().map(|label| {

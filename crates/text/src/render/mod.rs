@@ -3,7 +3,7 @@
 mod machine;
 mod terminal;
 
-use crate::{Diagnostic, LineColumn, Severity, Sources, Span};
+use crate::{Diagnostic, LineColumn, Sources, Span};
 
 /// How diagnostics are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,15 +52,7 @@ pub fn one_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
         None => String::new(),
     };
     let message = printable(&diagnostic.message);
-    format!("{place}{}[{}]: {message}", severity_word(diagnostic.severity), diagnostic.code)
-}
-
-fn severity_word(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
-    }
+    format!("{place}{}[{}]: {message}", diagnostic.severity.word(), diagnostic.code)
 }
 
 fn range(sources: &Sources, span: Span) -> (LineColumn, LineColumn) {

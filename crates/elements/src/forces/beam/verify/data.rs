@@ -99,13 +99,14 @@ fn ones(database: &Database, beam: ObjectId, name: &str, findings: &mut Vec<Find
     ));
 }
 
-/// Largest difference of two second moments, as a share, that still is a round section.
+/// Largest difference, as a share, of two second moments of a round section, and of a torsion constant that
+/// is the polar moment: numbers are typed with six digits.
 const ROUND: f64 = 1e-6;
 
 fn polar_moment(database: &Database, name: &str, s: &Section, findings: &mut Vec<Finding>) {
     let polar = s.iyy + s.izz;
     let round = (s.iyy - s.izz).abs() <= ROUND * polar;
-    if s.iyy <= 0.0 || s.izz <= 0.0 || round || (s.ixx - polar).abs() >= 1e-6 * polar {
+    if s.iyy <= 0.0 || s.izz <= 0.0 || round || (s.ixx - polar).abs() >= ROUND * polar {
         return;
     }
     let in_model = |value: f64| value / database.units().factor(Dimension::AREA_INERTIA);

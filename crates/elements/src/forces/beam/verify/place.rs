@@ -19,6 +19,8 @@ use crate::verify::{Finding, number};
 const OFF_AXIS: f64 = 1e-3;
 /// Smallest difference of length, as a share of it, that counts as a preload.
 const PRELOAD: f64 = 1e-6;
+/// Smallest angle that counts as a preload, rad: orientations are typed with six digits.
+const TURNED: f64 = 1e-6;
 
 /// I as seen from J, m.
 pub(super) struct Placement {
@@ -230,7 +232,7 @@ fn preload(
 ) {
     let [a, b, c] = at.angles;
     let q = [at.r_ji_j.x - law.length, at.r_ji_j.y, at.r_ji_j.z, a, b, c];
-    let bent = q[1].abs().max(q[2].abs()) > PRELOAD * law.length || q[3..].iter().any(|angle| angle.abs() > 1e-6);
+    let bent = q[1].abs().max(q[2].abs()) > PRELOAD * law.length || q[3..].iter().any(|angle| angle.abs() > TURNED);
     if q[0].abs() <= PRELOAD * law.length && !bent {
         return;
     }
