@@ -361,7 +361,7 @@ impl Interpreter {
             if gone.contains(&id) {
                 continue;
             }
-            let refers = self.database.object(id).cells.iter().flatten().any(|cell| {
+            let refers = self.database.object(id).cells.values().any(|cell| {
                 cell.value.objects().iter().any(|o| gone.contains(o))
                     || cell.expressions().iter().any(|e| e.objects().iter().any(|o| gone.contains(o)))
             });

@@ -130,7 +130,7 @@ impl Interpreter {
             }
             let Some(cell) = class.cell_index(field.name) else { continue };
             let key = CellKey::new(id, cell);
-            if self.database.object(id).cells[cell].is_some() {
+            if self.database.object(id).cells.get(cell).is_some() {
                 continue;
             }
             let value = match (field.default, field.kind) {
@@ -157,7 +157,7 @@ impl Interpreter {
             };
             for name in ["location", "orientation"] {
                 if let Some(cell) = class.cell_index(name)
-                    && self.database.object(id).cells[cell].is_none()
+                    && self.database.object(id).cells.get(cell).is_none()
                 {
                     // Not given: at the frame values would have been read in.
                     self.place_at_frame(id, name, cell, frame);

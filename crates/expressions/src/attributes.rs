@@ -126,7 +126,7 @@ impl Evaluator<'_> {
         let object = database.object(id);
         let field = object.class.field(index);
         self.read(CellKey::new(id, index));
-        let Some(cell) = object.cells.get(index).and_then(Option::as_ref) else {
+        let Some(cell) = object.cells.get(index) else {
             return match (field.kind, field.name) {
                 (Kind::Location | Kind::Orientation, "location" | "orientation") => {
                     Ok(Value::Array(Array::column(vec![0.0; 3])))
@@ -179,7 +179,7 @@ pub(crate) fn value_cell(database: &Database, id: ObjectId) -> Option<usize> {
     let object = database.get(id)?;
     let cells = ["real_value", "integer_value", "string_value", "object_value"];
     let mut cells = cells.into_iter().filter_map(|name| object.class.cell_index(name));
-    let set = cells.find(|&c| object.cells.get(c).is_some_and(Option::is_some));
+    let set = cells.find(|&c| object.cells.get(c).is_some());
     set.or_else(|| object.class.cell_index("real_value"))
 }
 

@@ -84,11 +84,7 @@ fn computed(scope: &Scope, key: CellKey, source: &Source) -> Outcome<Evaluated> 
     let orientation = field.kind == Kind::Orientation;
     let (value, dimension) = match source {
         Source::Literal => {
-            let value = object
-                .cells
-                .get(key.cell as usize)
-                .and_then(Option::as_ref)
-                .map_or(Value::Nothing, |c| c.value.clone());
+            let value = object.cells.get(key.cell as usize).map_or(Value::Nothing, |c| c.value.clone());
             return Ok(Evaluated { value, dimension: None, reads: Vec::new() });
         }
         Source::Expression(expression) => {
@@ -150,7 +146,7 @@ enum Present {
 fn present_elements(database: &Database, key: CellKey, length: usize) -> Present {
     let object = database.object(key.object);
     let field = object.class.field(key.cell as usize);
-    let value = object.cells.get(key.cell as usize).and_then(Option::as_ref).map(|c| &c.value);
+    let value = object.cells.get(key.cell as usize).map(|c| &c.value);
     match value {
         Some(Value::Text(text)) => Present::Texts(vec![text.clone(); length]),
         Some(Value::Texts(texts)) => Present::Texts(texts.clone()),
@@ -321,7 +317,7 @@ pub fn restructure(database: &mut Database) -> Result<Vec<Diagnostic>, Diagnosti
     let mut warnings = Vec::new();
     for key in database.dependents(STRUCTURE).to_vec() {
         let Some(object) = database.get(key.object) else { continue };
-        let Some(cell) = object.cells.get(key.cell as usize).and_then(Option::as_ref) else { continue };
+        let Some(cell) = object.cells.get(key.cell as usize) else { continue };
         let (source, old) = (cell.source.clone(), cell.value.clone());
         match compute(database, key, &source) {
             Ok(computed) => {
@@ -359,7 +355,7 @@ pub fn recompute(database: &mut Database, changed: &[CellKey]) -> Result<(), Dia
     let order = database.affected(changed).map_err(|circle| circle_error(database, &circle.0))?;
     for key in order {
         let Some(object) = database.get(key.object) else { continue };
-        let Some(cell) = object.cells.get(key.cell as usize).and_then(Option::as_ref) else { continue };
+        let Some(cell) = object.cells.get(key.cell as usize) else { continue };
         if !cell.is_expression() {
             continue;
         }

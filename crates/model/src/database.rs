@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
 use crate::{
-    Cell, CellKey, Mark, Settings, UnitsId, Value,
+    Cell, CellKey, Cells, Mark, Settings, UnitsId, Value,
     dependencies::Dependencies,
     index::NameIndex,
     settings::first_units,
@@ -28,8 +28,7 @@ pub struct Object {
     pub parent: Option<ObjectId>,
     /// In order of creation.
     pub children: Vec<ObjectId>,
-    /// One for each field of the class; `None` where nothing was given and there is no default.
-    pub cells: Vec<Option<Cell>>,
+    pub cells: Cells,
 }
 
 /// An object of that kind and full name exists already.
@@ -139,7 +138,7 @@ impl Database {
     /// A cell by field name; `None` if unset or no such field.
     pub fn cell(&self, id: ObjectId, name: &str) -> Option<&Cell> {
         let object = self.object(id);
-        object.cells[object.class.cell_index(name)?].as_ref()
+        object.cells.get(object.class.cell_index(name)?)
     }
 
     pub fn value(&self, id: ObjectId, name: &str) -> Option<&Value> {
@@ -150,7 +149,7 @@ impl Database {
     pub fn number(&self, id: ObjectId, name: &str) -> Option<f64> {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
-        let cell = object.cells[index].as_ref()?;
+        let cell = object.cells.get(index)?;
         let x = cell.value.as_number()?;
         Some(x * self.ratio(cell.units, object.class.field(index).dimension))
     }
@@ -159,7 +158,7 @@ impl Database {
     pub fn numbers(&self, id: ObjectId, name: &str) -> Option<Vec<f64>> {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
-        let cell = object.cells[index].as_ref()?;
+        let cell = object.cells.get(index)?;
         let ratio = self.ratio(cell.units, object.class.field(index).dimension);
         let mut numbers = cell.value.as_numbers()?;
         if ratio != 1.0 {
@@ -174,7 +173,7 @@ impl Database {
     pub(crate) fn triple(&self, id: ObjectId, name: &str) -> Option<[f64; 3]> {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
-        let cell = object.cells[index].as_ref()?;
+        let cell = object.cells.get(index)?;
         let ratio = self.ratio(cell.units, object.class.field(index).dimension);
         cell.value.numbers().first_chunk::<3>().map(|v| v.map(|x| x * ratio))
     }
@@ -236,13 +235,7 @@ impl Database {
         }
         let id = ObjectId(self.objects.len() as u32);
         self.objects.push(None);
-        let object = Object {
-            class,
-            name: name.to_string(),
-            parent,
-            children: Vec::new(),
-            cells: vec![None; class.cell_count()],
-        };
+        let object = Object { class, name: name.to_string(), parent, children: Vec::new(), cells: Cells::default() };
         let position = self.siblings(parent).len();
         self.attach(id, Box::new(object), position);
         self.record(Change::Created { id });
@@ -252,7 +245,7 @@ impl Database {
     /// Deletes an object and everything below it.
     pub fn remove(&mut self, id: ObjectId) {
         for child in self.subtree(id).into_iter().rev() {
-            let cells = self.object(child).cells.len();
+            let cells = self.object(child).class.cell_count();
             for cell in 0..cells {
                 self.set_reads(CellKey::new(child, cell), Vec::new());
             }
@@ -349,7 +342,7 @@ impl Database {
     pub(crate) fn swap_cell(&mut self, key: CellKey, cell: Option<Cell>) -> Option<Cell> {
         self.touch(key.object);
         let object = self.objects[key.object.0 as usize].as_mut().expect("handle of a living object");
-        std::mem::replace(&mut object.cells[key.cell as usize], cell)
+        object.cells.replace(key.cell as usize, cell)
     }
 
     /// Exchanges current objects at positions of the settings; the last of equal positions comes back

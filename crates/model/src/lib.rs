@@ -6,6 +6,7 @@
 //! and every step can be undone.
 
 mod cell;
+mod cells;
 mod database;
 mod dependencies;
 mod expression;
@@ -17,6 +18,7 @@ mod stored;
 mod undo;
 
 pub use cell::{Array, Cell, FunctionText, Piece, Source, Value};
+pub use cells::Cells;
 pub use database::{Database, NameTaken, Object, ObjectId};
 pub use dependencies::{CellKey, Cycle};
 pub use expression::{BinaryOperator, Expression, Node, UnaryOperator};

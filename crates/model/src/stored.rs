@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use schema::{Class, UnitSystem};
 use serde::{Deserialize, Serialize};
 
-use crate::{BinaryOperator, Cell, CellKey, Database, Expression, Node, Object, ObjectId, Settings, UnaryOperator};
+use crate::{BinaryOperator, CellKey, Cells, Database, Expression, Node, Object, ObjectId, Settings, UnaryOperator};
 
 /// An object as it is put back: with what its cells were computed from.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +15,7 @@ pub struct StoredObject {
     pub class: &'static Class,
     pub name: String,
     pub parent: Option<ObjectId>,
-    /// One for each field of the class.
-    pub cells: Vec<Option<Cell>>,
+    pub cells: Cells,
     /// Cells by number, with what each was computed from.
     pub reads: Vec<(u16, Vec<CellKey>)>,
     /// The children, where their order is not that of their creation.
@@ -54,7 +53,7 @@ impl Database {
     /// A living object as plain data.
     pub fn stored(&self, id: ObjectId) -> Option<StoredObject> {
         let object = self.get(id)?;
-        let reads = (0..object.cells.len()).filter_map(|cell| {
+        let reads = (0..object.class.cell_count()).filter_map(|cell| {
             let reads = self.reads(CellKey::new(id, cell));
             (!reads.is_empty()).then(|| (cell as u16, reads.to_vec()))
         });
@@ -103,11 +102,11 @@ impl Database {
         let mut orders = Vec::new();
         for stored in objects {
             let StoredObject { id, class, name, parent, cells, reads, order } = stored;
-            if cells.len() != class.cell_count() {
+            if cells.iter().any(|(index, _)| index >= class.cell_count()) {
                 return Err(format!("`{name}` does not have the cells of its class"));
             }
             let known = database.unit_systems.len();
-            if cells.iter().flatten().any(|c| usize::from(c.units.0) >= known) {
+            if cells.values().any(|c| usize::from(c.units.0) >= known) {
                 return Err(format!("`{name}` has a value in units that are missing"));
             }
             for (cell, read) in reads {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use indexmap::IndexMap;
-use model::{Cell, CellKey, CoordinateSystem, Database, ObjectId, Sequence, Settings, StoredObject, UnitsId};
+use model::{Cell, CellKey, Cells, CoordinateSystem, Database, ObjectId, Sequence, Settings, StoredObject, UnitsId};
 use schema::{Class, Registry, UnitName, UnitSystem};
 use serde::{Deserialize, Serialize};
 
@@ -44,11 +44,7 @@ pub fn encode(database: &Database, id: ObjectId) -> Result<Option<ObjectRow>, St
     let Some(stored) = database.stored(id) else { return Ok(None) };
     let name_of = |cell: usize| field_name(stored.class, cell).unwrap_or_default().to_string();
     let mut content = ObjectContent { order: stored.order, ..ObjectContent::default() };
-    for (index, cell) in stored.cells.into_iter().enumerate() {
-        if let Some(cell) = cell {
-            content.cells.insert(name_of(index), cell);
-        }
-    }
+    content.cells.extend(stored.cells.iter().map(|(index, cell)| (name_of(index), cell.clone())));
     for (cell, reads) in stored.reads {
         // What was deleted since is read no more.
         let living = reads.iter().filter_map(|key| {
@@ -82,9 +78,9 @@ pub fn decode(rows: Vec<ObjectRow>, registry: &Registry) -> Result<Vec<StoredObj
     for row in rows {
         let Some(&class) = classes.get(&row.id) else { continue };
         let content: ObjectContent = serde_json::from_str(&row.content).map_err(|e| format!("`{}`: {e}", row.name))?;
-        let mut cells = vec![None; class.cell_count()];
+        let mut cells = Cells::default();
         for (field, cell) in content.cells {
-            cells[cell_of(class, &field)?] = Some(cell);
+            cells.replace(cell_of(class, &field)?, Some(cell));
         }
         let mut reads = Vec::new();
         for (field, list) in content.reads {

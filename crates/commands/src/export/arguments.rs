@@ -17,7 +17,7 @@ impl Writer<'_> {
         let mut found = Vec::new();
         for field in group.fields {
             let Some(index) = class.cell_index(field.name) else { continue };
-            let Some(cell) = object.cells.get(index).and_then(Option::as_ref) else { continue };
+            let Some(cell) = object.cells.get(index) else { continue };
             let unused = if phase == Phase::Create { Use::Modify } else { Use::Create };
             if field.usage == unused || field.name == "relative_to" && class.cell_index("location").is_some() {
                 continue;

@@ -154,7 +154,7 @@ impl Writer<'_> {
 
     /// The objects that the command of an object names.
     fn named_by(&self, id: ObjectId) -> impl Iterator<Item = ObjectId> {
-        let cells = self.database.object(id).cells.iter().flatten();
+        let cells = self.database.object(id).cells.values();
         cells.filter(|c| !matches!(c.value, Value::Function(_))).flat_map(|c| c.value.objects())
     }
 

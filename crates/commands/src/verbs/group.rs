@@ -263,7 +263,7 @@ fn delete_objects(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
         let database = &interpreter.database;
         let referred: indexmap::IndexSet<ObjectId> = gone
             .iter()
-            .flat_map(|id| database.object(*id).cells.iter().flatten().flat_map(|c| c.value.objects()))
+            .flat_map(|id| database.object(*id).cells.values().flat_map(|c| c.value.objects()))
             .filter(|r| database.get(*r).is_some_and(|o| o.class.is("marker")) && !gone.contains(r))
             .collect();
         let mut all = gone.clone();

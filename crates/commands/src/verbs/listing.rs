@@ -36,7 +36,7 @@ pub fn describe(interpreter: &Interpreter, id: ObjectId, brief: bool, lines: &mu
         if matches!(field.name, "adams_id" | "active") || !first {
             continue;
         }
-        match object.cells.get(index).and_then(Option::as_ref) {
+        match object.cells.get(index) {
             Some(cell) => lines.extend(value_lines(database, id, field, cell, brief)),
             // What only creates (places of markers that are made) is no value of the object.
             None if !brief && field.usage != Use::Create => lines.push(line(field.name, "(not set)")),
@@ -94,7 +94,7 @@ pub fn influencers(interpreter: &Interpreter, id: ObjectId, levels: usize, lines
     for depth in 1..=levels.min(100) {
         let mut next: Vec<ObjectId> = Vec::new();
         for id in level {
-            for cell in database.object(id).cells.iter().flatten() {
+            for cell in database.object(id).cells.values() {
                 let named = cell.value.objects().into_iter();
                 let read = cell.expressions().into_iter().flat_map(model::Expression::objects);
                 for other in named.chain(read).filter(|o| database.get(*o).is_some()) {
@@ -135,7 +135,7 @@ fn connections(database: &Database, model: ObjectId) -> Vec<(ObjectId, Vec<Objec
             continue;
         }
         let mut bodies: Vec<ObjectId> = Vec::new();
-        for other in database.object(id).cells.iter().flatten().flat_map(|c| match &c.value {
+        for other in database.object(id).cells.values().flat_map(|c| match &c.value {
             Value::Function(_) => Vec::new(),
             value => value.objects(),
         }) {

@@ -272,7 +272,7 @@ impl Interpreter {
         {
             return vec![id];
         }
-        let referred = object.cells.iter().flatten().flat_map(|c| c.value.objects());
+        let referred = object.cells.values().flat_map(|c| c.value.objects());
         let mut found: Vec<ObjectId> = Vec::new();
         for marker in referred.filter(|r| self.database.get(*r).is_some_and(|o| o.class.is("marker"))) {
             if !found.contains(&marker) {

@@ -49,17 +49,16 @@ impl Interpreter {
 
     fn fill_twin(&mut self, source: ObjectId, twins: &Twins) {
         let Some(&twin) = twins.get(&source) else { return };
-        for index in 0..self.database.object(source).cells.len() {
-            let Some(cell) = self.database.object(source).cells[index].clone() else { continue };
+        for (index, cell) in self.database.object(source).cells.clone().iter() {
             let reads = self.database.reads(CellKey::new(source, index)).to_vec();
             let reads = reads.iter().map(|r| CellKey { object: *twins.get(&r.object).unwrap_or(&r.object), ..*r });
             let reads = reads.collect();
             // A number in the solver's files belongs to one object.
             let own_id = self.database.object(source).class.field(index).name == "adams_id";
             let cell = if own_id {
-                Cell { value: Value::Integer(0), source: Source::Literal, ..cell }
+                Cell { value: Value::Integer(0), source: Source::Literal, ..cell.clone() }
             } else {
-                moved_cell(&cell, twins)
+                moved_cell(cell, twins)
             };
             let key = CellKey::new(twin, index);
             self.database.set_reads(key, reads);

@@ -73,7 +73,7 @@ fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     fill(interpreter, call, id)?;
     if let Some(class) = interpreter.registry.class("variable")
         && let Some(cell) = class.cell_index("delta_type")
-        && interpreter.database.object(id).cells[cell].is_none()
+        && interpreter.database.object(id).cells.get(cell).is_none()
     {
         interpreter.store(CellKey::new(id, cell), Draft::literal(Value::Text("absolute".into())));
     }
@@ -173,7 +173,7 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
             }
             for other in VALUES.iter().filter(|v| **v != field.name) {
                 if let Some(cell) = class.cell_index(other)
-                    && interpreter.database.object(id).cells[cell].is_some()
+                    && interpreter.database.object(id).cells.get(cell).is_some()
                 {
                     let key = CellKey::new(id, cell);
                     interpreter.database.set_reads(key, Vec::new());
@@ -248,7 +248,7 @@ impl Interpreter {
             let key = CellKey::new(id, cell);
             if name == "string_value" {
                 self.store(key, Draft::literal(Value::Text(text.to_string())));
-            } else if self.database.object(id).cells[cell].is_some() {
+            } else if self.database.object(id).cells.get(cell).is_some() {
                 self.database.set_reads(key, Vec::new());
                 self.database.set_cell(key, None);
             } else {

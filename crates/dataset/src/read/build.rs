@@ -357,7 +357,7 @@ impl Builder<'_> {
             let given = entry
                 .class
                 .cell_index(field.name)
-                .is_none_or(|cell| self.database.object(entry.id).cells[cell].is_some());
+                .is_none_or(|cell| self.database.object(entry.id).cells.get(cell).is_some());
             if given || field.usage == schema::Use::Modify || statements::required(entry.statement.name, field.keyword)
             {
                 continue;

@@ -24,8 +24,8 @@ pub fn bad_functions(database: &Database) -> Vec<BadFunction> {
     let mut found = Vec::new();
     for id in database.ids() {
         let object = database.object(id);
-        for (index, cell) in object.cells.iter().enumerate() {
-            let Some(Value::Function(_)) = cell.as_ref().map(|cell| &cell.value) else { continue };
+        for (index, cell) in object.cells.iter() {
+            let Value::Function(_) = &cell.value else { continue };
             let Some(model) = database.model_of(id).filter(|_| object.class.statement.is_some()) else { continue };
             let name = object.class.field(index).name;
             let text = text_of(database, id, name);

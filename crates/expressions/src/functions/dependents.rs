@@ -80,7 +80,7 @@ fn of_type(a: &Arguments, mut found: Vec<ObjectId>) -> Outcome<Value> {
 /// Objects named by the cells of an object, each once, in the order of the cells.
 fn referents(database: &Database, object: ObjectId) -> Vec<ObjectId> {
     let mut found: Vec<ObjectId> = Vec::new();
-    for cell in database.object(object).cells.iter().flatten() {
+    for cell in database.object(object).cells.values() {
         found.extend(cell.value.objects());
         if let Value::Function(function) = &cell.value {
             found.extend(function.objects());
@@ -95,7 +95,7 @@ fn referents(database: &Database, object: ObjectId) -> Vec<ObjectId> {
 }
 
 fn in_expressions(database: &Database, object: ObjectId) -> Vec<ObjectId> {
-    let cells = database.object(object).cells.iter().flatten().filter(|c| c.source != Source::Literal);
+    let cells = database.object(object).cells.values().filter(|c| c.source != Source::Literal);
     cells.flat_map(|c| c.expressions().into_iter().flat_map(model::Expression::objects).collect::<Vec<_>>()).collect()
 }
 

@@ -163,7 +163,7 @@ fn named_cell<'a>(a: &'a Arguments) -> Outcome<(ObjectId, usize, Option<&'a Cell
         }
         _ => return Err(wrong()),
     };
-    Ok((reached.object, index, object.cells.get(index).and_then(Option::as_ref)))
+    Ok((reached.object, index, object.cells.get(index)))
 }
 
 /// Dimension of the field that a text names.
