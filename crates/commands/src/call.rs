@@ -47,7 +47,7 @@ impl<'p> Call<'p> {
         creating: bool,
     ) -> (Call<'p>, Vec<Diagnostic>) {
         let mut errors = Vec::new();
-        let mut given: Vec<Given<'p>> = Vec::new();
+        let mut given: Vec<Given<'p>> = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let typed = program.word(argument.name);
             match match_parameter(&command.parameters, typed) {

@@ -1,6 +1,7 @@
 //! One statement: from its words to what it does, with everything taken back if it fails.
 
 use model::{CellKey, ObjectId};
+use smallvec::SmallVec;
 use syntax::command::{Argument, Item, StatementKind};
 use text::{Diagnostic, Span};
 
@@ -181,7 +182,7 @@ impl Interpreter {
         keywords: &[Span],
         arguments: &[Argument],
     ) -> Result<Command, Errors> {
-        let words: Vec<&str> = keywords.iter().map(|k| program.word(*k)).collect();
+        let words: SmallVec<[&str; 8]> = keywords.iter().map(|k| program.word(*k)).collect();
         let at_word = |at: usize| keywords.get(at).copied().unwrap_or(span);
         match self.tree.find(&words) {
             Path::Found(command) => Ok(command),

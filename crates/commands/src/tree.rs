@@ -1,11 +1,12 @@
 //! The tree of command keywords: which words may follow which, and what a complete path does.
 
 use std::borrow::Cow;
+use std::hash::Hasher;
 use std::sync::{Arc, OnceLock};
 
-use indexmap::IndexMap;
+use hashbrown::HashTable;
 use model::ObjectId;
-use rustc_hash::FxBuildHasher;
+use rustc_hash::FxHasher;
 use schema::{Class, Field, Group, Registry};
 use smallvec::SmallVec;
 
@@ -87,52 +88,45 @@ impl Command {
 #[derive(Debug)]
 struct Entry {
     action: Action,
-    /// Of a macro; of other commands the tables say which parameters they have.
-    own: Option<Arc<[Parameter]>>,
-    command: OnceLock<Command>,
+    command: OnceLock<Box<Command>>,
 }
 
-/// Words that may follow, in order of registration.
-#[derive(Debug, Default)]
-struct Children {
-    words: Vec<(Cow<'static, str>, usize)>,
-    /// Places in `words`, sorted by word; made when a word is first looked up.
-    sorted: OnceLock<Box<[usize]>>,
-}
-
-impl Children {
-    fn words(&self) -> impl ExactSizeIterator<Item = &str> + Clone {
-        self.words.iter().map(|(word, _)| word.as_ref())
-    }
-
-    /// The place of a word that is spelled out.
-    fn place(&self, word: &str) -> Option<usize> {
-        let sorted = self.sorted.get_or_init(|| {
-            let mut places: Box<[usize]> = (0..self.words.len()).collect();
-            places.sort_unstable_by_key(|i| &self.words[*i].0);
-            places
-        });
-        sorted.binary_search_by_key(&word, |i| self.words[*i].0.as_ref()).ok().map(|found| sorted[found])
-    }
-
-    fn add(&mut self, word: Cow<'static, str>, node: usize) {
-        self.words.push((word, node));
-        self.sorted.take();
-    }
-}
-
-#[derive(Debug, Default)]
+/// A word of the tree. The words that may follow it are a chain, in order of registration.
+#[derive(Debug)]
 struct Node {
-    children: Children,
-    entry: Option<Entry>,
+    /// In lower case.
+    word: Cow<'static, str>,
+    parent: u32,
+    first_child: u32,
+    last_child: u32,
+    /// What may stand in its place.
+    next: u32,
+    /// Place in the list of entries.
+    entry: Option<u32>,
     /// Known from the list of keywords only.
     known_only: bool,
 }
+
+impl Node {
+    fn new(word: Cow<'static, str>, parent: u32) -> Node {
+        Node { word, parent, first_child: ROOT, last_child: ROOT, next: ROOT, entry: None, known_only: false }
+    }
+}
+
+/// Where every command begins. It follows no word, so as a link it says that there is none.
+const ROOT: u32 = 0;
+
+/// Room that is made at once, more than the tables need: growing step by step would write all three
+/// times over, in every process.
+const ROOM: usize = 1024;
 
 /// All commands of a session.
 #[derive(Debug)]
 pub struct CommandTree {
     nodes: Vec<Node>,
+    entries: Vec<Entry>,
+    /// Nodes by their parent and word.
+    by_word: HashTable<u32>,
     /// Groups whose fields `entity attributes` takes.
     attributes: Vec<&'static Group>,
 }
@@ -163,173 +157,230 @@ pub enum Path {
 impl CommandTree {
     pub fn new(registry: &Registry) -> CommandTree {
         let groups = || registry.classes.iter().flat_map(|c| c.groups.iter().map(move |g| (*c, g)));
-        let attributes = groups().map(|(_, g)| g).filter(|g| is_attributes(g.command)).collect();
-        let mut tree = CommandTree { nodes: vec![Node::default()], attributes };
+        let mut nodes = Vec::with_capacity(ROOM);
+        nodes.push(Node::new("".into(), ROOT));
+        let mut tree = CommandTree {
+            nodes,
+            entries: Vec::with_capacity(ROOM / 2),
+            by_word: HashTable::with_capacity(ROOM),
+            attributes: groups().map(|(_, g)| g).filter(|g| is_attributes(g.command)).collect(),
+        };
         for (path, words) in known::KEYWORDS {
             let node = tree.reach(path.split_whitespace());
             for word in words.split_whitespace() {
                 let child = tree.child(node, word.into());
-                tree.nodes[child].known_only = true;
+                tree.nodes[child as usize].known_only = true;
             }
         }
-        let mut setters: IndexMap<usize, Vec<ClassGroup>, FxBuildHasher> = IndexMap::default();
+        let mut setters: Vec<(u32, ClassGroup)> = Vec::with_capacity(ROOM);
         for (class, group) in groups() {
             let creates = group.command.split(' ').any(|word| word == "create");
             if !group.creates && creates {
                 let node = tree.reach(group.command.split(' '));
-                setters.entry(node).or_default().push((class, group));
+                setters.push((node, (class, group)));
             }
             if !group.creates || creates {
                 let modify = group.command.split(' ').map(|word| if word == "create" { "modify" } else { word });
                 let node = tree.reach(modify);
-                setters.entry(node).or_default().push((class, group));
+                setters.push((node, (class, group)));
             }
         }
-        for (node, groups) in setters {
-            tree.set(node, Action::Set(groups.into()), None);
+        setters.sort_by_key(|(node, _)| *node);
+        for same in setters.chunk_by(|(a, _), (b, _)| a == b) {
+            tree.set(same[0].0, Action::Set(same.iter().map(|(_, group)| *group).collect()));
         }
         for (class, group) in groups().filter(|(_, group)| group.creates) {
             let node = tree.reach(group.command.split(' '));
             let settings = group.object.is_empty();
-            tree.set(node, if settings { Action::Settings(class, group) } else { Action::Create(class, group) }, None);
+            tree.set(node, if settings { Action::Settings(class, group) } else { Action::Create(class, group) });
         }
         for entry in verbs::ALL {
             let node = tree.reach(entry.verb.path.split_whitespace());
-            tree.set(node, Action::Verb(entry), None);
+            tree.set(node, Action::Verb(entry));
         }
         tree
     }
 
     /// Adds the command that runs a macro; a path that has a command already gets the new one.
     pub fn add_macro(&mut self, path: &str, id: ObjectId, parameters: Vec<Parameter>) {
-        let node = path.split_whitespace().fold(0, |node, word| self.child(node, word.to_ascii_lowercase().into()));
-        self.set(node, Action::Macro(id), Some(parameters.into()));
+        let node = path.split_whitespace().fold(ROOT, |node, word| self.child(node, word.to_ascii_lowercase().into()));
+        let action = Action::Macro(id);
+        let command = Command { path: self.path(node).into(), action: action.clone(), parameters: parameters.into() };
+        self.set(node, action).command = OnceLock::from(Box::new(command));
     }
 
     /// Takes a command away again.
     pub fn remove(&mut self, path: &str) {
-        let mut node = 0;
-        for word in path.split_whitespace() {
-            let Some(place) = self.nodes[node].children.place(&word.to_ascii_lowercase()) else { return };
-            node = self.nodes[node].children.words[place].1;
+        let lower = path.to_ascii_lowercase();
+        let node = lower.split_whitespace().try_fold(ROOT, |node, word| self.spelled_out(node, word));
+        if let Some(node) = node {
+            self.nodes[node as usize].entry = None;
         }
-        self.nodes[node].entry = None;
     }
 
-    fn set(&mut self, node: usize, action: Action, own: Option<Arc<[Parameter]>>) {
-        self.nodes[node].entry = Some(Entry { action, own, command: OnceLock::new() });
+    fn set(&mut self, node: u32, action: Action) -> &mut Entry {
+        let place = self.entries.len();
+        self.nodes[node as usize].entry = Some(place as u32);
+        self.entries.push(Entry { action, command: OnceLock::new() });
+        &mut self.entries[place]
     }
 
     /// The node at the end of words of our tables, which are in lower case.
-    fn reach(&mut self, words: impl Iterator<Item = &'static str>) -> usize {
-        words.fold(0, |node, word| self.child(node, word.into()))
+    fn reach(&mut self, words: impl Iterator<Item = &'static str>) -> u32 {
+        words.fold(ROOT, |node, word| self.child(node, word.into()))
     }
 
     /// The node behind a word in lower case, which is made if missing.
-    fn child(&mut self, node: usize, word: Cow<'static, str>) -> usize {
-        if let Some((_, child)) = self.nodes[node].children.words.iter().find(|(known, _)| *known == word) {
-            return *child;
+    fn child(&mut self, parent: u32, word: Cow<'static, str>) -> u32 {
+        if let Some(child) = self.spelled_out(parent, &word) {
+            return child;
         }
-        let child = self.nodes.len();
-        self.nodes.push(Node::default());
-        self.nodes[node].children.add(word, child);
+        let child = self.nodes.len() as u32;
+        let hash = |n: &Node| hash(n.parent, &n.word);
+        let node = Node::new(word, parent);
+        self.by_word.insert_unique(hash(&node), child, |other| hash(&self.nodes[*other as usize]));
+        self.nodes.push(node);
+        let last = std::mem::replace(&mut self.nodes[parent as usize].last_child, child);
+        if last == ROOT {
+            self.nodes[parent as usize].first_child = child;
+        } else {
+            self.nodes[last as usize].next = child;
+        }
         child
     }
 
-    /// The command at a node, whose keywords are `path`.
-    fn command(&self, node: usize, path: &[&str]) -> Option<&Command> {
-        let Entry { action, own, command } = self.nodes[node].entry.as_ref()?;
+    fn node(&self, node: u32) -> &Node {
+        &self.nodes[node as usize]
+    }
+
+    /// The node behind a word that is spelled out.
+    fn spelled_out(&self, parent: u32, word: &str) -> Option<u32> {
+        let is = |node: &u32| {
+            let node = self.node(*node);
+            node.parent == parent && node.word == word
+        };
+        self.by_word.find(hash(parent, word), is).copied()
+    }
+
+    /// The nodes behind the words that may follow, in order of registration.
+    fn children(&self, node: u32) -> impl Iterator<Item = u32> + Clone {
+        let link = |node: u32| (node != ROOT).then_some(node);
+        std::iter::successors(link(self.node(node).first_child), move |child| link(self.node(*child).next))
+    }
+
+    /// The words that lead to a node.
+    fn path(&self, node: u32) -> String {
+        let mut words: SmallVec<[&str; 8]> = SmallVec::new();
+        let mut node = self.node(node);
+        while !node.word.is_empty() {
+            words.push(&node.word);
+            node = self.node(node.parent);
+        }
+        words.reverse();
+        words.join(" ")
+    }
+
+    /// The command at a node.
+    fn command(&self, node: u32) -> Option<&Command> {
+        let Entry { action, command } = &self.entries[self.node(node).entry? as usize];
         Some(command.get_or_init(|| {
-            let path = path.join(" ");
-            let parameters = own.clone().unwrap_or_else(|| parameters_of(action, &path, &self.attributes).into());
-            Command { path: path.into(), action: action.clone(), parameters }
+            let path = self.path(node);
+            let parameters = parameters_of(action, &path, &self.attributes).into();
+            Box::new(Command { path: path.into(), action: action.clone(), parameters })
         }))
     }
 
-    /// A node that leads to a command, or that the list of keywords names.
-    fn alive(&self, node: usize) -> bool {
-        let n = &self.nodes[node];
-        n.entry.is_some() || n.known_only || n.children.words.iter().any(|(_, c)| self.alive(*c))
+    /// Nothing is known of what may follow.
+    fn is_end(&self, node: u32) -> bool {
+        self.node(node).first_child == ROOT
     }
 
-    fn following(&self, node: usize) -> Vec<String> {
-        let words = self.nodes[node].children.words.iter();
-        words.filter(|(_, child)| self.alive(*child)).map(|(word, _)| word.to_string()).collect()
+    /// A node that leads to a command, or that the list of keywords names.
+    fn alive(&self, node: u32) -> bool {
+        let n = self.node(node);
+        n.entry.is_some() || n.known_only || self.children(node).any(|child| self.alive(child))
+    }
+
+    fn following(&self, node: u32) -> Vec<String> {
+        self.words(self.children(node).filter(|child| self.alive(*child)))
+    }
+
+    fn words(&self, nodes: impl Iterator<Item = u32>) -> Vec<String> {
+        nodes.map(|node| self.node(node).word.to_string()).collect()
+    }
+
+    /// What a word that may be abbreviated stands for, by position among what may follow.
+    fn matching(&self, node: u32, word: &str) -> Match {
+        match_word(self.children(node).map(|child| self.node(child).word.as_ref()), word)
     }
 
     /// Follows the keywords of a command.
     pub fn find(&self, words: &[&str]) -> Path {
-        let (mut node, mut path) = (0, SmallVec::<[&str; 8]>::new());
+        let mut node = ROOT;
         for (at, word) in words.iter().enumerate() {
-            let children = &self.nodes[node].children;
-            let spelled_out = children.place(word).map(Match::One);
-            match spelled_out.unwrap_or_else(|| match_word(children.words(), word)) {
-                Match::Many(found) => return Path::Ambiguous { at, candidates: self.names(node, &found) },
-                Match::One(i) => {
-                    if let Some((name, child)) = children.words.get(i) {
-                        path.push(name);
-                        node = *child;
-                    }
+            if let Some(child) = self.spelled_out(node, word) {
+                node = child;
+                continue;
+            }
+            match self.matching(node, word) {
+                Match::Many(found) => {
+                    let children: Vec<u32> = self.children(node).collect();
+                    return Path::Ambiguous { at, candidates: self.words(found.iter().map(|i| children[*i])) };
                 }
-                Match::None if self.nodes[node].entry.is_some() => return Path::Surplus { at },
+                Match::One(i) => node = self.children(node).nth(i).unwrap_or(node),
+                Match::None if self.node(node).entry.is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
                 Match::None
-                    if self.nodes[node].known_only
-                        && (self.nodes[node].children.words.is_empty()
-                            || known::OPEN.contains(&path.join(" ").as_str())) =>
+                    if self.node(node).known_only
+                        && (self.is_end(node) || known::OPEN.contains(&self.path(node).as_str())) =>
                 {
-                    return Path::Found(unsupported(&path.join(" "), &words[at..]));
+                    return Path::Found(unsupported(&self.path(node), &words[at..]));
                 }
                 Match::None => return Path::Unknown { at, near: self.following(node) },
             }
         }
-        match self.command(node, &path) {
+        match self.command(node) {
             Some(command) => Path::Found(command.clone()),
-            None if self.nodes[node].known_only && self.nodes[node].children.words.is_empty() => {
-                Path::Found(unsupported(&path.join(" "), &[]))
-            }
-            None if path.len() > 1 && known::OPEN.contains(&path.join(" ").as_str()) => {
-                Path::Found(unsupported(&path.join(" "), &[]))
+            None if self.node(node).known_only && self.is_end(node) => Path::Found(unsupported(&self.path(node), &[])),
+            None if words.len() > 1 && known::OPEN.contains(&self.path(node).as_str()) => {
+                Path::Found(unsupported(&self.path(node), &[]))
             }
             None => Path::Incomplete { next: self.following(node) },
         }
     }
 
-    fn names(&self, node: usize, indices: &[usize]) -> Vec<String> {
-        let words = &self.nodes[node].children.words;
-        indices.iter().filter_map(|i| words.get(*i)).map(|(word, _)| word.to_string()).collect()
-    }
-
     /// The words that may follow keywords, for help and completion.
     pub fn next_words(&self, words: &[&str]) -> Vec<String> {
-        let mut node = 0;
-        for word in words {
-            let children = &self.nodes[node].children;
-            match match_word(children.words(), word) {
-                Match::One(i) => node = children.words[i].1,
-                _ => return Vec::new(),
-            }
-        }
-        self.following(node)
+        let step = |node, word: &&str| match self.matching(node, word) {
+            Match::One(i) => self.children(node).nth(i),
+            _ => None,
+        };
+        words.iter().try_fold(ROOT, step).map_or_else(Vec::new, |node| self.following(node))
     }
 
     /// Every path with what it does, in order of registration: for `flexure support`.
     pub fn commands(&self) -> Vec<Command> {
         let mut found = Vec::new();
-        let mut stack = vec![(0usize, Vec::<&str>::new())];
-        while let Some((node, path)) = stack.pop() {
-            let n = &self.nodes[node];
-            if let Some(command) = self.command(node, &path) {
+        let mut stack = vec![ROOT];
+        while let Some(node) = stack.pop() {
+            if let Some(command) = self.command(node) {
                 found.push(command.clone());
-            } else if n.known_only && n.children.words.is_empty() {
-                found.push(unsupported(&path.join(" "), &[]));
+            } else if self.node(node).known_only && self.is_end(node) {
+                found.push(unsupported(&self.path(node), &[]));
             }
-            for (word, child) in n.children.words.iter().rev() {
-                stack.push((*child, path.iter().copied().chain([word.as_ref()]).collect()));
-            }
+            let children: Vec<u32> = self.children(node).collect();
+            stack.extend(children.iter().rev());
         }
         found
     }
+}
+
+/// Of a word that follows another.
+fn hash(parent: u32, word: &str) -> u64 {
+    let mut hasher = FxHasher::default();
+    hasher.write_u32(parent);
+    hasher.write(word.as_bytes());
+    hasher.finish()
 }
 
 fn unsupported(path: &str, rest: &[&str]) -> Command {
