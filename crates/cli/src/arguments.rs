@@ -15,7 +15,9 @@ pub struct Arguments {
     pub command: Command,
 }
 
+// The options of a subcommand are put together when it is called: a process calls one of many.
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub enum Command {
     /// Execute command files; the commands in them decide what is simulated.
     Run(Run),

@@ -1,5 +1,6 @@
-//! Ctrl-C: the first asks the run to stop after the present step, the second ends the process. While
-//! nothing runs (a command window that waits) one is enough.
+//! Ctrl-C where something would be lost: the first asks the run to stop after the present step, the
+//! second ends the process. While nothing runs (a command window that waits) one is enough. Commands
+//! that only read, and write what they found in the end, install nothing: they end at once.
 
 use std::sync::Arc;
 use std::sync::OnceLock;

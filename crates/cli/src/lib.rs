@@ -60,6 +60,5 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         eprintln!("flexure: internal error: {panic}");
         eprintln!("This is a fault of flexure, not of your model. Please report it with the files and the command.");
     }));
-    interrupt::install();
     std::panic::catch_unwind(|| commands::execute(&arguments)).map_or(3, Outcome::status)
 }

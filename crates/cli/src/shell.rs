@@ -15,6 +15,7 @@ use crate::shell_line::{Asked, Lines, Piped, Typed};
 use crate::{Outcome, interrupt};
 
 pub(crate) fn execute(shell: &Shell) -> Outcome {
+    interrupt::install();
     // This session is taken apart in the end: the file that follows it is closed then.
     let mut session = ManuallyDrop::into_inner(session());
     if let Some(path) = &shell.journal

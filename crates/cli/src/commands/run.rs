@@ -9,6 +9,7 @@ use crate::progress::Watcher;
 use crate::{Outcome, interrupt};
 
 pub(super) fn execute(run: &Run) -> Outcome {
+    interrupt::install();
     let mut session = session();
     set_beams(&mut session, &run.beams);
     session.abort_on_error(run.strict || run.on_error == OnError::Abort);

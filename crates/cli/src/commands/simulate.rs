@@ -4,11 +4,11 @@ use std::sync::PoisonError;
 
 use flexure::{Analysis, Outputs, SimulationOptions};
 
-use crate::Outcome;
 use crate::arguments::Simulate;
 use crate::commands::{complain, open, print_found, session, set_beams, set_recording};
 use crate::output::{Target, extension};
 use crate::progress::Watcher;
+use crate::{Outcome, interrupt};
 
 pub(super) fn execute(simulate: &Simulate) -> Outcome {
     let known = ["", "csv", "parquet"];
@@ -16,6 +16,7 @@ pub(super) fn execute(simulate: &Simulate) -> Outcome {
         complain(format_args!("results are written as .csv or .parquet, not as {}", simulate.out.display()));
         return Outcome::Usage;
     }
+    interrupt::install();
     let mut session = session();
     set_beams(&mut session, &simulate.beams);
     session.simulate_nothing(true);
