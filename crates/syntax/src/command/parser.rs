@@ -15,6 +15,11 @@ use super::troubles::{
 use crate::number::{end_of_number, value_of};
 use crate::quoted::{end_of_value_string, unescape};
 
+/// Room made at once for the arguments of a command, and for the values of an argument that has several:
+/// a place is three numbers.
+const USUAL_ARGUMENTS: usize = 8;
+const USUAL_LIST: usize = 4;
+
 /// Reads a command file statement by statement.
 #[derive(Debug)]
 pub struct Parser<'a> {
@@ -125,7 +130,7 @@ impl<'a> Parser<'a> {
 
     /// `name = values` pairs to the end of the statement; the cursor is at the first `=`.
     fn arguments(&mut self, first: Span) -> Vec<Argument> {
-        let mut arguments = Vec::new();
+        let mut arguments = Vec::with_capacity(USUAL_ARGUMENTS);
         let mut name = first;
         loop {
             let at = self.cursor.pos + 1;
@@ -216,6 +221,9 @@ impl<'a> Parser<'a> {
                 return values;
             }
             self.last_end = end;
+            if values.len() == 1 {
+                values.reserve(USUAL_LIST - 1);
+            }
             values.push(item);
             if gap != Gap::Token || self.cursor.peek() != Some(b',') {
                 return values;
