@@ -10,6 +10,7 @@ use solver::SystemState;
 use text::Diagnostic;
 
 use crate::beams::BeamsAt;
+use crate::files;
 use crate::modes::{self, ModesAbout, ModesReport};
 use crate::run::{Run, RunObserver, Silent};
 use crate::session::cannot_write;
@@ -193,7 +194,7 @@ pub(crate) fn write_data_set(
     digits: Digits,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let written = dataset_of(database, model, digits)?;
-    std::fs::write(path, written.text).map_err(|e| vec![cannot_write(path, &e)])?;
+    files::write(path, written.text).map_err(|e| vec![cannot_write(path, &e)])?;
     Ok(written.warnings)
 }
 

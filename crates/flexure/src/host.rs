@@ -11,6 +11,7 @@ use schema::Registry;
 use text::{Diagnostic, FileId, Sources};
 
 use crate::engine::{Engine, data_set, write_data_set};
+use crate::files;
 use crate::modes::ModesAbout;
 use crate::session::{Session, lock};
 
@@ -60,7 +61,7 @@ impl Host for EngineHost {
     }
 
     fn write_file(&mut self, path: &Path, text: &str) -> io::Result<()> {
-        if lock(&self.0).read_only { Ok(()) } else { std::fs::write(path, text) }
+        if lock(&self.0).read_only { Ok(()) } else { files::write(path, text) }
     }
 
     fn may_write(&self) -> bool {

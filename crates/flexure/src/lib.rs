@@ -5,6 +5,7 @@ mod attributes;
 mod beams;
 mod compare_models;
 mod engine;
+pub mod files;
 mod fixes;
 mod function_check;
 mod host;

@@ -17,6 +17,7 @@ use crate::attributes::{self, Attribute};
 use crate::beams::{self, BeamsAt, BeamsReport};
 use crate::compare_models::{ModelDifferences, Side, compare_models};
 use crate::engine::{Engine, write_data_set};
+use crate::files;
 use crate::host::EngineHost;
 use crate::modes::{ModesAbout, ModesReport};
 use crate::persistence::Persistence;
@@ -426,7 +427,7 @@ impl Session {
             "adm" => write_data_set(&mut self.interpreter.database, model, path, Digits::Exact),
             "cmd" => {
                 let text = self.interpreter.write_model(model);
-                std::fs::write(path, text).map_err(|e| vec![cannot_write(path, &e)])?;
+                files::write(path, text).map_err(|e| vec![cannot_write(path, &e)])?;
                 Ok(Vec::new())
             }
             other => Err(vec![

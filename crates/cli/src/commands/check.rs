@@ -148,7 +148,7 @@ fn mend(check: &Check, inputs: &mut [Input]) -> bool {
         } else if input.is_stdin() {
             std::io::stdout().write_all(&input.bytes)
         } else if changed {
-            std::fs::write(&input.path, &input.bytes)
+            flexure::files::write(&input.path, &input.bytes)
         } else {
             Ok(())
         };

@@ -60,7 +60,7 @@ fn one(fmt: &Fmt, path: &Path) -> Result<(bool, bool), String> {
         if stdin {
             std::io::stdout().write_all(&layout.bytes()).map_err(cannot)?;
         } else if changed {
-            std::fs::write(path, layout.bytes()).map_err(cannot)?;
+            flexure::files::write(path, layout.bytes()).map_err(cannot)?;
         }
     }
     Ok((changed, layout.diagnostics().iter().any(Diagnostic::is_error)))

@@ -129,9 +129,9 @@ fn picture_size(text: &str) -> Option<(u32, u32)> {
 
 /// Writes what was drawn into a file; `named` says so on standard output.
 fn save_picture(path: &Path, drawn: Result<Vec<u8>, impl std::fmt::Display>, named: bool) -> Outcome {
-    let written = drawn
-        .map_err(|sentence| sentence.to_string())
-        .and_then(|bytes| std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display())));
+    let written = drawn.map_err(|sentence| sentence.to_string()).and_then(|bytes| {
+        flexure::files::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
+    });
     match written {
         Ok(()) => {
             if named {
