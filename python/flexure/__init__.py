@@ -8,13 +8,14 @@
 """
 
 from flexure._errors import Diagnostic, FlexureError
-from flexure._model import Finding, Model, Modes, read
+from flexure._model import Candidate, Finding, Model, Modes, read
 from flexure._native import BeamState, __version__
 from flexure._objects import Object, Objects
 from flexure._run import Run, Series
 
 __all__ = [
     "BeamState",
+    "Candidate",
     "Diagnostic",
     "Finding",
     "FlexureError",

@@ -25,6 +25,16 @@ class Finding:
 
 
 @dataclass(frozen=True)
+class Candidate:
+    """One way to go on with half-typed commands."""
+
+    text: str
+    """The commands with it."""
+    note: str
+    """Type, unit, default and a line of explanation."""
+
+
+@dataclass(frozen=True)
 class Modes:
     """Linear modes, lowest frequency first. Arrays have one entry for each mode."""
 
@@ -214,6 +224,11 @@ class Model:
     def verify_report(self) -> list[str]:
         """Degrees of freedom and redundant constraints, in the words of the product's report."""
         return self._native.verify()[0]
+
+    def complete(self, text: str) -> list[Candidate]:
+        """What may stand at the end of half-typed commands, as Tab shows it in the command window."""
+        start, found = self._native.complete(text)
+        return [Candidate(text[:start] + candidate, note) for candidate, note in found]
 
     def undo(self) -> bool:
         """Takes the last command back; false if there is none."""

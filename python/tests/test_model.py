@@ -23,6 +23,17 @@ def test_beams_have_the_command_s_parameters_as_attributes(strip):
     assert beam.formulation == "linear"
 
 
+def test_half_typed_commands_can_be_completed(strip):
+    command = "force modify element_like beam beam_name = .strip.beam_3 "
+    names = [candidate.text for candidate in strip.complete(command + "youngs")]
+    assert names == [command + "youngs_modulus = "]
+    units = strip.complete(command + "youngs")[0].note
+    assert "newton/mm**2" in units
+    # Behind a letter of two bytes the word still begins where Python counts it.
+    assert [c.text for c in strip.complete("! Träger\nforce mod")] == ["! Träger\nforce modify "]
+    assert strip.complete("no_such_command x = ") == []
+
+
 def test_setting_an_attribute_is_a_command_that_can_be_undone(strip):
     beam = strip.beams["beam_2"]
     beam.youngs_modulus = 1.0e5

@@ -1,9 +1,9 @@
 //! What may follow a half-typed command: keywords, parameters, words, objects, functions, files. All
 //! of it is read from the tables of commands and from the database; nothing here names an element.
 
-use std::collections::HashMap;
-
+use indexmap::IndexMap;
 use model::{Database, ObjectId, Value, quoted};
+use rustc_hash::FxBuildHasher;
 use schema::{Field, Kind, Names, Rule};
 
 use crate::{
@@ -436,19 +436,12 @@ fn objects(database: &Database, wanted: &str, prefix: &str) -> Vec<Candidate> {
     };
     let mut found: Vec<(ObjectId, String)> = Vec::new();
     if prefix.is_empty() || !prefix.contains('.') {
-        let mut count: HashMap<String, usize> = HashMap::new();
-        for id in fitting() {
-            *count.entry(database.object(id).name.to_ascii_lowercase()).or_default() += 1;
-        }
-        for id in fitting() {
+        let fits = |id: &&ObjectId| database.object(**id).class.is(wanted);
+        for id in fitting().filter(|id| begins(&database.object(*id).name, prefix)) {
             let object = database.object(id);
-            let unique = count.get(&object.name.to_ascii_lowercase()) == Some(&1);
+            let unique = database.named(&object.name).iter().filter(fits).nth(1).is_none();
             let own = model.is_some() && database.model_of(id) == model && object.class.id != "model";
-            if unique && own && begins(&object.name, prefix) {
-                found.push((id, quoted(&object.name)));
-            } else if begins(&object.name, prefix) {
-                found.push((id, database.full_name(id)));
-            }
+            found.push((id, if unique && own { quoted(&object.name) } else { database.full_name(id) }));
         }
     } else {
         // A path that does not begin at the root is searched below the current model.
@@ -473,16 +466,13 @@ fn objects(database: &Database, wanted: &str, prefix: &str) -> Vec<Candidate> {
 
 /// The next step of very many names, each once, with a dot where names go on.
 fn first_steps(database: &Database, found: &[(ObjectId, String)], typed: usize) -> Vec<Candidate> {
-    let mut steps: indexmap::IndexMap<String, (ObjectId, usize)> = indexmap::IndexMap::new();
+    let mut steps: IndexMap<&str, (ObjectId, usize), FxBuildHasher> = IndexMap::default();
     for (id, name) in found {
-        let step = match name[typed..].find('.') {
-            Some(dot) => name[..=typed + dot].to_string(),
-            None => name.clone(),
-        };
+        let step = name[typed..].find('.').map_or(name.as_str(), |dot| &name[..=typed + dot]);
         steps.entry(step).or_insert((*id, 0)).1 += 1;
     }
     let note = |id: ObjectId, count: usize| {
         if count > 1 { format!("{count} objects") } else { database.object(id).class.word.to_string() }
     };
-    steps.into_iter().map(|(text, (id, count))| Candidate { text, note: note(id, count) }).collect()
+    steps.into_iter().map(|(text, (id, count))| Candidate { text: text.to_string(), note: note(id, count) }).collect()
 }

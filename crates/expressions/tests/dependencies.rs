@@ -107,7 +107,7 @@ fn a_list_may_be_partly_expressions() {
     let mut f = fixture();
     let a = variable(&mut f.db, "a", "real_value", Value::Number(7.0));
     let cell = key(&f.db, f.m1, "location");
-    let source = model::Source::Elements(vec![None, Some(bound(&f.db, ".m.a * 2")), None]);
+    let source = model::Source::Elements(Box::new(vec![None, Some(bound(&f.db, ".m.a * 2")), None]));
     let computed = flexure_expressions::compute(&f.db, cell, &source).unwrap();
     assert_eq!(computed.value.as_numbers().unwrap(), [10.0, 14.0, 0.0]);
     assert_eq!(computed.reads, [key(&f.db, a, "real_value")]);

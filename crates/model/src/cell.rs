@@ -143,8 +143,9 @@ pub enum Source {
     Literal,
     /// One expression that yields the whole value, kept and re-evaluated.
     Expression(Box<Expression>),
-    /// A list in which some elements are expressions.
-    Elements(Vec<Option<Expression>>),
+    /// A list in which some elements are expressions. In one word, as nearly every cell is a literal.
+    #[allow(clippy::box_collection)]
+    Elements(Box<Vec<Option<Expression>>>),
 }
 
 /// One value of an object.

@@ -10,14 +10,14 @@ use crate::{Database, ObjectId};
 impl Database {
     /// Full name with a leading dot; names that need quotes are quoted.
     pub fn full_name(&self, id: ObjectId) -> String {
-        let mut names = Vec::new();
-        let mut next = Some(id);
-        while let Some(object) = next.and_then(|o| self.get(o)) {
-            names.push(quoted(&object.name));
-            next = object.parent;
+        let above = |id: &ObjectId| self.get(*id)?.parent;
+        let path: SmallVec<[ObjectId; 8]> = std::iter::successors(Some(id), above).collect();
+        let mut name = String::new();
+        for object in path.iter().rev().filter_map(|id| self.get(*id)) {
+            name.push('.');
+            push_quoted(&mut name, &object.name);
         }
-        names.reverse();
-        format!(".{}", names.join("."))
+        if name.is_empty() { ".".into() } else { name }
     }
 
     /// Children of a parent (or top-level objects) with a name, ignoring case.
@@ -25,10 +25,15 @@ impl Database {
         self.names.find(&self.objects, parent, name)
     }
 
+    /// All objects with a name, wherever they are, ignoring case.
+    pub fn named(&self, name: &str) -> &[ObjectId] {
+        self.names.find_anywhere(&self.objects, name)
+    }
+
     /// Objects below `root`, itself left out, that have a child with a name: with their depth below
     /// it, nearest first, then in order of creation.
     pub fn holders_of_name(&self, root: ObjectId, name: &str) -> Vec<(usize, ObjectId)> {
-        let parents = self.names.find_anywhere(&self.objects, name).iter().filter_map(|id| self.object(*id).parent);
+        let parents = self.named(name).iter().filter_map(|id| self.object(*id).parent);
         let mut found: Vec<_> = parents.filter_map(|p| Some((self.depth_below(p, root)?, p))).collect();
         found.sort_unstable();
         found.dedup();
@@ -120,9 +125,16 @@ impl Database {
 /// A name as it must be typed: quoted when it is not letters, digits and underscores or starts
 /// with a digit.
 pub fn quoted(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    push_quoted(&mut text, name);
+    text
+}
+
+fn push_quoted(text: &mut String, name: &str) {
     let plain = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    if plain { name.to_string() } else { format!("\"{name}\"") }
+        && name.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'_');
+    let quote = if plain { "" } else { "\"" };
+    text.extend([quote, name, quote]);
 }
 
 /// Splits `part."odd name".marker` at the dots outside quotes and removes the quotes.

@@ -286,6 +286,14 @@ impl Session {
         Ok((found.report, list))
     }
 
+    /// Where the word at the end of a text begins, and what may stand there: text and note.
+    fn complete(&mut self, text: &str) -> (usize, Vec<(String, String)>) {
+        let found = self.session().complete(text);
+        // Python counts characters.
+        let start = text[..found.start].chars().count();
+        (start, found.candidates.into_iter().map(|c| (c.text, c.note)).collect())
+    }
+
     fn undo(&mut self) -> bool {
         self.session().undo()
     }

@@ -162,7 +162,7 @@ impl Reader<'_> {
                 Some(e) => Source::Expression(Box::new(e)),
                 None => Source::Literal,
             },
-            (true, _) => Source::Elements(elements),
+            (true, _) => Source::Elements(Box::new(elements)),
         };
         Ok(Draft { value, source, reads })
     }

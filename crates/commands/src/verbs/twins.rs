@@ -98,9 +98,10 @@ fn moved_cell(cell: &Cell, twins: &Twins) -> Cell {
     let source = match &cell.source {
         Source::Literal => Source::Literal,
         Source::Expression(e) => Source::Expression(Box::new(Expression { root: moved_node(&e.root, &at) })),
-        Source::Elements(list) => Source::Elements(
-            list.iter().map(|e| e.as_ref().map(|e| Expression { root: moved_node(&e.root, &at) })).collect(),
-        ),
+        Source::Elements(list) => {
+            let moved = |e: &Option<Expression>| e.as_ref().map(|e| Expression { root: moved_node(&e.root, &at) });
+            Source::Elements(Box::new(list.iter().map(moved).collect()))
+        }
     };
     Cell { value, units: cell.units, source }
 }

@@ -111,7 +111,7 @@ impl Comparison<'_> {
     fn same_numbers(&self, a: &[f64], b: &[f64]) -> bool {
         let size = a.iter().chain(b).fold(0.0_f64, |size, n| size.max(n.abs()));
         let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= size * ROUNDING.max(self.tolerance);
-        a.len() == b.len() && a.iter().zip(b).all(close)
+        a.len() == b.len() && a.iter().zip(b.iter()).all(close)
     }
 
     /// Angles are compared by the axes that they turn to: -90 degrees are 270.
@@ -158,7 +158,7 @@ fn same_source(a: &Source, b: &Source, pairs: &Pairs) -> bool {
         (Source::Expression(a), Source::Expression(b)) => same(a, b),
         (Source::Elements(a), Source::Elements(b)) => {
             a.len() == b.len()
-                && a.iter().zip(b).all(|pair| match pair {
+                && a.iter().zip(b.iter()).all(|pair| match pair {
                     (Some(a), Some(b)) => same(a, b),
                     (a, b) => a.is_none() && b.is_none(),
                 })
