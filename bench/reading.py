@@ -170,7 +170,8 @@ def completion() -> float:
         times = []
         for _ in range(5):
             began = time.perf_counter()
-            found = model.complete(text)
+            # The engine alone, as the window asks it: `Model.complete` makes objects of its answer.
+            _, found = model._native.complete(text)
             times.append(time.perf_counter() - began)
         assert found, text
         longest = max(longest, min(times))
