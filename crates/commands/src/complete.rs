@@ -71,7 +71,7 @@ impl Interpreter {
     /// several objects.
     fn may_hold_a_question_mark(&self, place: &Place, parameter: &str) -> bool {
         let words: Vec<&str> = place.keywords.iter().map(String::as_str).collect();
-        let Path::Found(command) = self.tree.find(&words) else { return true };
+        let Path::Found(command) = self.tree.find(&words, &self.database) else { return true };
         let Match::One(index) = match_parameter(&command.parameters, parameter) else { return true };
         let field = &command.parameters[index].field;
         match field.kind {
@@ -116,7 +116,7 @@ impl Interpreter {
         let mut path = String::new();
         if place.given.is_empty() {
             path = self.full_path(&words);
-            for word in self.tree.next_words(&words).into_iter().filter(|w| begins(w, prefix)) {
+            for word in self.tree.next_words(&words, &self.database).into_iter().filter(|w| begins(w, prefix)) {
                 let note = self.note_of_path(&format!("{path} {word}"));
                 candidates.push(Candidate { text: format!("{word} "), note });
             }
@@ -124,7 +124,7 @@ impl Interpreter {
             candidates.sort_by_key(|c| c.note.starts_with(help::NOT_EXECUTED));
         }
         let mut title = if words.is_empty() { "commands".to_string() } else { format!("behind `{path}`") };
-        if let Path::Found(command) = self.tree.find(&words)
+        if let Path::Found(command) = self.tree.find(&words, &self.database)
             && !words.is_empty()
         {
             title = format!("{}: {}", command.path, help::doc_of(&command, &self.database));
@@ -138,7 +138,7 @@ impl Interpreter {
         let mut full: Vec<String> = Vec::new();
         for word in words {
             let before: Vec<&str> = full.iter().map(String::as_str).collect();
-            let next = self.tree.next_words(&before);
+            let next = self.tree.next_words(&before, &self.database);
             match match_word(next.iter().map(String::as_str), word) {
                 Match::One(i) => full.push(next[i].clone()),
                 _ => full.push((*word).to_string()),
@@ -150,7 +150,7 @@ impl Interpreter {
     /// What a path leads to, in a line.
     pub(crate) fn note_of_path(&self, path: &str) -> String {
         let words: Vec<&str> = path.split_whitespace().collect();
-        match self.tree.find(&words) {
+        match self.tree.find(&words, &self.database) {
             Path::Found(command) => help::doc_of(&command, &self.database),
             Path::Incomplete { next } => {
                 let more = if next.len() > 5 { ", ..." } else { "" };
@@ -217,7 +217,7 @@ impl Interpreter {
     fn complete_value(&self, text: &str, place: &Place, parameter: &str, in_text: bool) -> Completion {
         let nothing = Completion { start: place.start, ..Completion::default() };
         let words: Vec<&str> = place.keywords.iter().map(String::as_str).collect();
-        let Path::Found(command) = self.tree.find(&words) else { return nothing };
+        let Path::Found(command) = self.tree.find(&words, &self.database) else { return nothing };
         let Match::One(index) = match_parameter(&command.parameters, parameter) else {
             return Completion { title: format!("`{}` has no parameter `{parameter}`", command.path), ..nothing };
         };

@@ -218,7 +218,7 @@ impl Interpreter {
             Ok((echo, found)) => (echo == Some(true), found),
             Err(errors) => {
                 self.database.roll_back(mark);
-                self.names.forget();
+                self.taken_back();
                 let flow = self.opener_failed(program, at, errors);
                 return self.skip_block(program, at + 1, end, flow);
             }

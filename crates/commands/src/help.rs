@@ -25,12 +25,12 @@ impl Interpreter {
                 "does Tab; `help` and the words of a command explain it; `undo` and `redo` go back and forth;".into(),
                 "`quit` leaves.".into(),
             ];
-            let first = self.tree.next_words(&[]);
+            let first = self.tree.next_words(&[], &self.database);
             let notes: Vec<String> = first.iter().map(|w| self.note_of_path(w)).collect();
             lines.extend(table(first.iter().map(String::as_str).zip(notes.iter().map(String::as_str))));
             return lines;
         }
-        match self.tree.find(words) {
+        match self.tree.find(words, &self.database) {
             Path::Found(command) => self.help_on_command(&command),
             Path::Incomplete { next } => {
                 let path = words.join(" ");
@@ -59,7 +59,7 @@ impl Interpreter {
         let notes: Vec<String> = parameters.iter().map(|p| self.describe(command, p)).collect();
         lines.extend(table(parameters.iter().map(|p| &*p.name).zip(notes.iter().map(String::as_str))));
         let words: Vec<&str> = command.path.split(' ').collect();
-        let next = self.tree.next_words(&words);
+        let next = self.tree.next_words(&words, &self.database);
         if !next.is_empty() {
             lines.push(format!("followed by a keyword: {}", next.join(", ")));
         }

@@ -276,7 +276,7 @@ impl Interpreter {
         let mut sources = Sources::default();
         let file = sources.add("<command>", text);
         let program = Program::parse(&sources, file);
-        let words = self.tree.next_words(&[]);
+        let words = self.tree.next_words(&[], &self.database);
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         !Blocks::of(&program, &words).unclosed.is_empty()
     }
@@ -291,7 +291,7 @@ impl Interpreter {
             self.complain(vec![error]);
             return Flow::Abort;
         }
-        let words = self.tree.next_words(&[]);
+        let words = self.tree.next_words(&[], &self.database);
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         let source = self.sources.share(file);
         let mut parser = Parser::new(file, source.text());

@@ -76,20 +76,13 @@ pub struct Macros {
 impl Interpreter {
     /// Makes the command of a macro known; called after it was created, modified or read.
     pub(crate) fn register_macro(&mut self, id: ObjectId) {
-        let text = match self.database.value(id, "commands_to_be_executed") {
-            Some(Value::Texts(lines)) => lines.join("\n"),
-            Some(Value::Text(line)) => line.clone(),
-            _ => String::new(),
-        };
-        let words = self.database.text(id, "user_entered_command").map(str::to_string);
-        // Without words of its own a macro is called by its full name, which is no keyword path.
-        let path = words.unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ").to_ascii_lowercase();
+        let (path, text) = self.macro_as_stored(id);
         if let Some(old) = self.macros.known.get(&id)
             && old.path != path
             && !old.path.is_empty()
         {
             let old_path = old.path.clone();
-            self.tree.remove(&old_path);
+            self.tree.remove_macro(&old_path, id);
         }
         let formals = find_formals(&text);
         if !path.is_empty() {
@@ -106,14 +99,31 @@ impl Interpreter {
         self.macros.known.insert(id, Macro { formals, body: text, path });
     }
 
+    /// The words that call a macro and its lines, as the database has them.
+    fn macro_as_stored(&self, id: ObjectId) -> (String, String) {
+        let text = match self.database.value(id, "commands_to_be_executed") {
+            Some(Value::Texts(lines)) => lines.join("\n"),
+            Some(Value::Text(line)) => line.clone(),
+            _ => String::new(),
+        };
+        // Without words of its own a macro is called by its full name, which is no keyword path.
+        let words = self.database.text(id, "user_entered_command").unwrap_or_default();
+        (words.split_whitespace().collect::<Vec<_>>().join(" ").to_ascii_lowercase(), text)
+    }
+
+    /// Puts right what is remembered of macros whose words or lines were taken back. Others keep the
+    /// defaults that calls gave their parameters.
+    pub(crate) fn refresh_macros(&mut self) {
+        let known = self.macros.known.iter().filter(|(id, _)| self.database.get(**id).is_some());
+        let changed =
+            known.filter(|(id, known)| self.macro_as_stored(**id) != (known.path.clone(), known.body.clone()));
+        let mut changed: Vec<ObjectId> = changed.map(|(id, _)| *id).collect();
+        changed.sort_unstable();
+        changed.into_iter().for_each(|id| self.register_macro(id));
+    }
+
     /// Runs a macro: its text with the parameters put in, line by line.
     pub(crate) fn call_macro(&mut self, id: ObjectId, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
-        if self.database.get(id).is_none() {
-            return Err(vec![
-                Diagnostic::error("macro/gone", "this macro does not exist any more")
-                    .at(call.keywords, "was undone or deleted"),
-            ]);
-        }
         let Some(known) = self.macros.known.get(&id).cloned() else { return Ok(Flow::Next) };
         let mut values: Vec<(String, String)> = Vec::new();
         let mut updated = Vec::new();

@@ -38,7 +38,7 @@ impl Interpreter {
         self.echo_at(program, span, depth);
         loop {
             self.database.roll_back(mark);
-            self.names.forget();
+            self.taken_back();
             line += 1;
             let answer = self.answer(program, line);
             if let Some(journal) = &mut self.journal {

@@ -51,7 +51,7 @@ pub struct ParameterReference {
 impl Interpreter {
     /// What the table of a command says; `None` where there is no such command.
     pub fn reference(&self, words: &[&str]) -> Option<CommandReference> {
-        let Path::Found(command) = self.commands().find(words) else { return None };
+        let Path::Found(command) = self.commands().find(words, &self.database) else { return None };
         Some(CommandReference {
             command: command.path.to_string(),
             doc: help::doc_of(&command, &self.database),

@@ -55,7 +55,7 @@ impl Interpreter {
             Err(errors) => {
                 self.world.take_commands();
                 self.database.roll_back(mark);
-                self.names.forget();
+                self.taken_back();
                 self.trace_warnings(before);
                 if let Some(path) = self.consequence(program, index, &errors) {
                     self.report.skipped += 1;
@@ -184,7 +184,7 @@ impl Interpreter {
     ) -> Result<Command, Errors> {
         let words: SmallVec<[&str; 8]> = keywords.iter().map(|k| program.word(*k)).collect();
         let at_word = |at: usize| keywords.get(at).copied().unwrap_or(span);
-        match self.tree.find(&words) {
+        match self.tree.find(&words, &self.database) {
             Path::Found(command) => Ok(command),
             Path::Unknown { at, near } => Err(vec![unknown_keyword(words[at], at_word(at), &words[..at], &near)]),
             Path::Ambiguous { at, candidates } => Err(vec![
@@ -396,9 +396,15 @@ impl Interpreter {
         };
         let field = *self.database.object(id).class.field(cell);
         let draft = self.read_value(&call, &field, &argument, Some(id))?;
+        if field.name == "adams_id" {
+            self.check_id(id, &draft.value, value_span)?;
+        }
         let key = CellKey::new(id, cell);
         self.store(key, draft);
         self.recompute(&[key], target)?;
+        if self.database.object(id).class == &crate::macros::CLASS {
+            self.register_macro(id);
+        }
         Ok(Flow::Next)
     }
 

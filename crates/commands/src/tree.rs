@@ -5,7 +5,7 @@ use std::hash::Hasher;
 use std::sync::{Arc, OnceLock};
 
 use hashbrown::HashTable;
-use model::ObjectId;
+use model::{Database, ObjectId};
 use rustc_hash::FxHasher;
 use schema::{Class, Field, Group, Registry};
 use smallvec::SmallVec;
@@ -89,6 +89,8 @@ impl Command {
 struct Entry {
     action: Action,
     command: OnceLock<Box<Command>>,
+    /// What the same words stand for where this is a macro that does not exist (any more).
+    hides: Option<u32>,
 }
 
 /// A word of the tree. The words that may follow it are a chain, in order of registration.
@@ -201,27 +203,54 @@ impl CommandTree {
         tree
     }
 
-    /// Adds the command that runs a macro; a path that has a command already gets the new one.
+    /// Adds the command that runs a macro, in front of what its words stood for. It is there as long
+    /// as the macro is.
     pub fn add_macro(&mut self, path: &str, id: ObjectId, parameters: Vec<Parameter>) {
         let node = path.split_whitespace().fold(ROOT, |node, word| self.child(node, word.to_ascii_lowercase().into()));
+        self.unlink(node, id);
         let action = Action::Macro(id);
         let command = Command { path: self.path(node).into(), action: action.clone(), parameters: parameters.into() };
         self.set(node, action).command = OnceLock::from(Box::new(command));
     }
 
-    /// Takes a command away again.
-    pub fn remove(&mut self, path: &str) {
+    /// Takes the command of a macro away again.
+    pub fn remove_macro(&mut self, path: &str, id: ObjectId) {
         let lower = path.to_ascii_lowercase();
-        let node = lower.split_whitespace().try_fold(ROOT, |node, word| self.spelled_out(node, word));
-        if let Some(node) = node {
-            self.nodes[node as usize].entry = None;
+        if let Some(node) = lower.split_whitespace().try_fold(ROOT, |node, word| self.spelled_out(node, word)) {
+            self.unlink(node, id);
         }
+    }
+
+    fn unlink(&mut self, node: u32, id: ObjectId) {
+        let is_macro = |action: &Action| matches!(action, Action::Macro(known) if *known == id);
+        let Some(place) = self.entries_at(node).find(|place| is_macro(&self.entries[*place as usize].action)) else {
+            return;
+        };
+        let hidden = self.entries[place as usize].hides;
+        let above = self.entries_at(node).find(|above| self.entries[*above as usize].hides == Some(place));
+        match above {
+            Some(above) => self.entries[above as usize].hides = hidden,
+            None => self.nodes[node as usize].entry = hidden,
+        }
+    }
+
+    /// Places of what the words of a node stand for, the last that was added first.
+    fn entries_at(&self, node: u32) -> impl Iterator<Item = u32> {
+        std::iter::successors(self.node(node).entry, |place| self.entries[*place as usize].hides)
+    }
+
+    /// What the words of a node stand for; macros that do not exist (any more) stand for nothing.
+    fn entry(&self, node: u32, database: &Database) -> Option<&Entry> {
+        self.entries_at(node).map(|place| &self.entries[place as usize]).find(|entry| match entry.action {
+            Action::Macro(id) => database.get(id).is_some(),
+            _ => true,
+        })
     }
 
     fn set(&mut self, node: u32, action: Action) -> &mut Entry {
         let place = self.entries.len();
-        self.nodes[node as usize].entry = Some(place as u32);
-        self.entries.push(Entry { action, command: OnceLock::new() });
+        let hides = self.nodes[node as usize].entry.replace(place as u32);
+        self.entries.push(Entry { action, command: OnceLock::new(), hides });
         &mut self.entries[place]
     }
 
@@ -281,8 +310,8 @@ impl CommandTree {
     }
 
     /// The command at a node.
-    fn command(&self, node: u32) -> Option<&Command> {
-        let Entry { action, command } = &self.entries[self.node(node).entry? as usize];
+    fn command(&self, node: u32, database: &Database) -> Option<&Command> {
+        let Entry { action, command, .. } = self.entry(node, database)?;
         Some(command.get_or_init(|| {
             let path = self.path(node);
             let parameters = parameters_of(action, &path, &self.attributes).into();
@@ -296,13 +325,19 @@ impl CommandTree {
     }
 
     /// A node that leads to a command, or that the list of keywords names.
-    fn alive(&self, node: u32) -> bool {
-        let n = self.node(node);
-        n.entry.is_some() || n.known_only || self.children(node).any(|child| self.alive(child))
+    fn alive(&self, node: u32, database: &Database) -> bool {
+        self.node(node).known_only
+            || self.entry(node, database).is_some()
+            || self.children(node).any(|child| self.alive(child, database))
     }
 
-    fn following(&self, node: u32) -> Vec<String> {
-        self.words(self.children(node).filter(|child| self.alive(*child)))
+    /// What may follow, in order of registration.
+    fn living(&self, node: u32, database: &Database) -> impl Iterator<Item = u32> + Clone {
+        self.children(node).filter(|child| self.alive(*child, database))
+    }
+
+    fn following(&self, node: u32, database: &Database) -> Vec<String> {
+        self.words(self.living(node, database))
     }
 
     fn words(&self, nodes: impl Iterator<Item = u32>) -> Vec<String> {
@@ -310,25 +345,25 @@ impl CommandTree {
     }
 
     /// What a word that may be abbreviated stands for, by position among what may follow.
-    fn matching(&self, node: u32, word: &str) -> Match {
-        match_word(self.children(node).map(|child| self.node(child).word.as_ref()), word)
+    fn matching(&self, node: u32, word: &str, database: &Database) -> Match {
+        match_word(self.living(node, database).map(|child| self.node(child).word.as_ref()), word)
     }
 
     /// Follows the keywords of a command.
-    pub fn find(&self, words: &[&str]) -> Path {
+    pub fn find(&self, words: &[&str], database: &Database) -> Path {
         let mut node = ROOT;
         for (at, word) in words.iter().enumerate() {
-            if let Some(child) = self.spelled_out(node, word) {
+            if let Some(child) = self.spelled_out(node, word).filter(|child| self.alive(*child, database)) {
                 node = child;
                 continue;
             }
-            match self.matching(node, word) {
+            match self.matching(node, word, database) {
                 Match::Many(found) => {
-                    let children: Vec<u32> = self.children(node).collect();
+                    let children: Vec<u32> = self.living(node, database).collect();
                     return Path::Ambiguous { at, candidates: self.words(found.iter().map(|i| children[*i])) };
                 }
-                Match::One(i) => node = self.children(node).nth(i).unwrap_or(node),
-                Match::None if self.node(node).entry.is_some() => return Path::Surplus { at },
+                Match::One(i) => node = self.living(node, database).nth(i).unwrap_or(node),
+                Match::None if self.entry(node, database).is_some() => return Path::Surplus { at },
                 // Below a command that is only known by name nothing is known.
                 Match::None
                     if self.node(node).known_only
@@ -336,34 +371,34 @@ impl CommandTree {
                 {
                     return Path::Found(unsupported(&self.path(node), &words[at..]));
                 }
-                Match::None => return Path::Unknown { at, near: self.following(node) },
+                Match::None => return Path::Unknown { at, near: self.following(node, database) },
             }
         }
-        match self.command(node) {
+        match self.command(node, database) {
             Some(command) => Path::Found(command.clone()),
             None if self.node(node).known_only && self.is_end(node) => Path::Found(unsupported(&self.path(node), &[])),
             None if words.len() > 1 && known::OPEN.contains(&self.path(node).as_str()) => {
                 Path::Found(unsupported(&self.path(node), &[]))
             }
-            None => Path::Incomplete { next: self.following(node) },
+            None => Path::Incomplete { next: self.following(node, database) },
         }
     }
 
     /// The words that may follow keywords, for help and completion.
-    pub fn next_words(&self, words: &[&str]) -> Vec<String> {
-        let step = |node, word: &&str| match self.matching(node, word) {
-            Match::One(i) => self.children(node).nth(i),
+    pub fn next_words(&self, words: &[&str], database: &Database) -> Vec<String> {
+        let step = |node, word: &&str| match self.matching(node, word, database) {
+            Match::One(i) => self.living(node, database).nth(i),
             _ => None,
         };
-        words.iter().try_fold(ROOT, step).map_or_else(Vec::new, |node| self.following(node))
+        words.iter().try_fold(ROOT, step).map_or_else(Vec::new, |node| self.following(node, database))
     }
 
     /// Every path with what it does, in order of registration: for `flexure support`.
-    pub fn commands(&self) -> Vec<Command> {
+    pub fn commands(&self, database: &Database) -> Vec<Command> {
         let mut found = Vec::new();
         let mut stack = vec![ROOT];
         while let Some(node) = stack.pop() {
-            if let Some(command) = self.command(node) {
+            if let Some(command) = self.command(node, database) {
                 found.push(command.clone());
             } else if self.node(node).known_only && self.is_end(node) {
                 found.push(unsupported(&self.path(node), &[]));

@@ -6,6 +6,7 @@
 use std::collections::BTreeSet;
 
 use flexure_commands::{Action, Command, CommandTree, Interpreter, Path};
+use model::Database;
 
 /// Commands that are understood and not executed, and why.
 const REFUSED: &[(&str, &str)] = &[
@@ -63,7 +64,7 @@ fn tree() -> CommandTree {
 
 fn find(tree: &CommandTree, path: &str) -> Option<Command> {
     let words: Vec<&str> = path.split(' ').collect();
-    match tree.find(&words) {
+    match tree.find(&words, &Database::default()) {
         Path::Found(command) => Some(command),
         _ => None,
     }
@@ -223,7 +224,8 @@ fn parameters_are_found_by_their_shortest_forms() {
 fn everything_is_explained() {
     let tree = tree();
     let mut troubles = Vec::new();
-    for command in tree.commands().into_iter().filter(|c| !matches!(c.action, Action::Unsupported)) {
+    for command in tree.commands(&Database::default()).into_iter().filter(|c| !matches!(c.action, Action::Unsupported))
+    {
         if command.doc().is_empty() {
             troubles.push(format!("{} has no explanation", command.path));
         }

@@ -245,14 +245,14 @@ impl Session {
 
     /// Takes the last step back; false if there is none.
     pub fn undo(&mut self) -> bool {
-        let undone = self.interpreter.database.undo();
+        let undone = self.interpreter.undo();
         self.save(&mut Report { executed: usize::from(undone), ..Report::default() }, "undo backward");
         undone
     }
 
     /// Does the step undone last again; false if there is none.
     pub fn redo(&mut self) -> bool {
-        let redone = self.interpreter.database.redo();
+        let redone = self.interpreter.redo();
         self.save(&mut Report { executed: usize::from(redone), ..Report::default() }, "undo forward");
         redone
     }

@@ -41,7 +41,7 @@ pub fn support() -> Vec<Support> {
     let interpreter = Interpreter::new(elements::registry());
     let mut list: Vec<Support> = interpreter
         .commands()
-        .commands()
+        .commands(&interpreter.database)
         .into_iter()
         .map(|command| {
             let of_class = |class| match elements::shelf::element(class) {

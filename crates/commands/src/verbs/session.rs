@@ -76,7 +76,7 @@ fn erase(_: &mut Interpreter, _: &Call) -> Outcome<Flow> {
 fn help(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let topic = interpreter.word_of(call, "command_or_topic")?.unwrap_or_default();
     let words: Vec<&str> = topic.split_whitespace().collect();
-    let lines = match interpreter.tree.find(&words) {
+    let lines = match interpreter.tree.find(&words, &interpreter.database) {
         Path::Found(command) => {
             let mut lines = vec![command.path.to_string()];
             let doc = command.doc();

@@ -29,24 +29,46 @@ pub const FLUSH: VerbEntry = verb("undo flush", &[], flush, "forgets all steps")
 pub const SET: VerbEntry =
     verb("undo set", &[Field::integer("steps_stored").doc("steps kept")], set, "how many steps are kept");
 
+impl Interpreter {
+    /// Takes the last step back; false if there is none.
+    pub fn undo(&mut self) -> bool {
+        let gone = self.database.undo();
+        self.taken_back();
+        gone
+    }
+
+    /// Does the step taken back last again; false if there is none.
+    pub fn redo(&mut self) -> bool {
+        let done = self.database.redo();
+        self.taken_back();
+        done
+    }
+
+    /// Puts what is remembered of the database right after changes were taken back.
+    pub(crate) fn taken_back(&mut self) {
+        self.names.forget();
+        self.refresh_macros();
+    }
+}
+
 fn backward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    step(interpreter, call, "take back", Database::undo)
+    step(interpreter, call, true)
 }
 
 fn forward(interpreter: &mut Interpreter, call: &Call) -> Outcome {
-    step(interpreter, call, "do again", Database::redo)
+    step(interpreter, call, false)
 }
 
-/// Goes one step and says what it changes.
-fn step(interpreter: &mut Interpreter, call: &Call, what: &str, go: fn(&mut Database) -> bool) -> Outcome {
-    interpreter.names.forget();
-    let back = what == "take back";
+/// Goes one step back or forward and says what it changes.
+fn step(interpreter: &mut Interpreter, call: &Call, back: bool) -> Outcome {
     interpreter.database.finish_step();
     let effect = if back { interpreter.database.next_undo() } else { interpreter.database.next_redo() };
     let mut said = Vec::new();
     said.extend(listed(&interpreter.database, &effect.goes, "is gone", "are gone"));
-    if !go(&mut interpreter.database) {
-        return nothing(call, what);
+    if !(if back { interpreter.undo() } else { interpreter.redo() }) {
+        let what = if back { "take back" } else { "do again" };
+        let error = Diagnostic::error("undo/nothing", format!("there is no step to {what}"));
+        return Err(vec![error.at(call.span, "nothing changed")]);
     }
     said.extend(listed(&interpreter.database, &effect.comes, "is there", "are there"));
     said.extend(listed(&interpreter.database, &effect.changes, "is changed", "are changed"));
@@ -69,10 +91,6 @@ fn listed(database: &Database, objects: &[ObjectId], one: &str, many: &str) -> O
         (_, 0) => Some(format!("{} {many}", names.join(", "))),
         _ => Some(format!("{} and {left} more {many}", names.join(", "))),
     }
-}
-
-fn nothing(call: &Call, what: &str) -> Outcome {
-    Err(vec![Diagnostic::error("undo/nothing", format!("there is no step to {what}")).at(call.span, "nothing changed")])
 }
 
 fn begin_block(interpreter: &mut Interpreter, call: &Call) -> Outcome {
