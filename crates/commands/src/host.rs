@@ -105,6 +105,11 @@ pub trait Host: Send {
         Err(vec![unavailable(&format!("reading the data set `{}`", sources.name(file)))])
     }
 
+    /// Why a file that a command wants to run holds no commands.
+    fn refuse_commands(&self, _path: &Path, _bytes: &[u8]) -> Option<Diagnostic> {
+        None
+    }
+
     /// The lines of the verification report, and findings.
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>);
 

@@ -13,7 +13,7 @@ use text::{Diagnostic, FileId, Sources};
 use crate::engine::{Engine, data_set, write_data_set};
 use crate::files;
 use crate::modes::ModesAbout;
-use crate::session::{Session, lock};
+use crate::session::{Session, lock, refuse_dataset};
 
 /// What the interpreter asks of the engine.
 pub(crate) struct EngineHost(pub Arc<Mutex<Engine>>);
@@ -48,6 +48,10 @@ impl Host for EngineHost {
         let naming = dataset::Naming { model: model_name, otherwise: &otherwise };
         let read = dataset::read(database, registry, file, sources.text(file), naming)?;
         Ok(DataSet { model: read.model, diagnostics: read.diagnostics })
+    }
+
+    fn refuse_commands(&self, path: &Path, bytes: &[u8]) -> Option<Diagnostic> {
+        refuse_dataset(&path.display().to_string(), bytes)
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {

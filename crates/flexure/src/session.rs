@@ -188,7 +188,7 @@ impl Session {
             let text = format!("{} is {what}; Flexure does not read that yet", path.display());
             let refusal = Diagnostic::error("file/not-read-yet", text)
                 .help("command files (.cmd, .mac), solver datasets (.adm) and models of Flexure (.fx) are read");
-            return Report { failed: 1, diagnostics: vec![refusal], ..Report::default() };
+            return refused(refusal);
         }
         self.engine().folder = path.parent().map(Path::to_path_buf);
         if extension == "fx" {
@@ -203,7 +203,7 @@ impl Session {
             file.take(HEAD as u64).read_to_end(&mut head).ok()?;
             refuse_dataset(&path.display().to_string(), &head)
         }) {
-            return refusal;
+            return refused(refusal);
         }
         let command = format!("file command read file_name = {}", quoted(path));
         self.journalled(&command, |interpreter| interpreter.run_file(path))
@@ -211,8 +211,8 @@ impl Session {
 
     /// Executes bytes as the text of a command file.
     pub fn read_bytes(&mut self, name: &str, bytes: Vec<u8>) -> Report {
-        if let Some(refusal) = refuse_dataset(name, bytes.get(..HEAD).unwrap_or(&bytes)) {
-            return refusal;
+        if let Some(refusal) = refuse_dataset(name, &bytes) {
+            return refused(refusal);
         }
         let mut sources = Sources::default();
         let file = sources.add_bytes(name, bytes);
@@ -235,7 +235,7 @@ impl Session {
     /// The report of a file that cannot be read.
     pub fn unreadable(&self, path: &Path, error: &io::Error) -> Report {
         let message = format!("cannot read {}: {error}", path.display());
-        Report { failed: 1, diagnostics: vec![Diagnostic::error("file/unreadable", message)], ..Report::default() }
+        refused(Diagnostic::error("file/unreadable", message))
     }
 
     /// Executes command text.
@@ -454,14 +454,18 @@ fn quoted(path: &Path) -> String {
 }
 
 /// Instead of an error for each line of a dataset that is read as commands.
-fn refuse_dataset(name: &str, head: &[u8]) -> Option<Report> {
+pub(crate) fn refuse_dataset(name: &str, bytes: &[u8]) -> Option<Diagnostic> {
+    let head = bytes.get(..HEAD).unwrap_or(bytes);
     if !dataset::looks_like_dataset(&String::from_utf8_lossy(head)) {
         return None;
     }
     let message = format!("{name} looks like a solver dataset, not like a command file");
-    let refusal = Diagnostic::error("file/dataset", message)
-        .help("give it the ending `.adm`, or read it with `file adams_data_set read file_name = ...`");
-    Some(Report { failed: 1, diagnostics: vec![refusal], ..Report::default() })
+    let refusal = Diagnostic::error("file/dataset", message);
+    Some(refusal.help("give it the ending `.adm`, or read it with `file adams_data_set read file_name = ...`"))
+}
+
+fn refused(refusal: Diagnostic) -> Report {
+    Report { failed: 1, diagnostics: vec![refusal], ..Report::default() }
 }
 
 pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Diagnostic {

@@ -32,6 +32,9 @@ fn command_read(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     }
     let path = interpreter.host.resolve(&name);
     let bytes = std::fs::read(&path).map_err(|e| vec![cannot_read(&path, &e).at(argument.value_span, "this file")])?;
+    if let Some(refusal) = interpreter.host.refuse_commands(&path, &bytes) {
+        return Err(vec![refusal.at(argument.value_span, "this file")]);
+    }
     let file = interpreter.sources.add_bytes(path.display().to_string(), bytes);
     interpreter.asking.insert(file);
     interpreter.trace.push(call.span);
