@@ -134,19 +134,15 @@ impl Interpreter {
                 continue;
             }
             let value = match (field.default, field.kind) {
-                (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
-                (Default::Number(x), _) if field.count.least > 1 => {
-                    Value::Array(model::Array::column(vec![x; field.count.least]))
-                }
-                (Default::Number(x), _) => Value::Number(x),
-                (Default::Word(w), Kind::Boolean(yes, _)) => Value::Flag(w == yes),
-                (Default::Word(w), _) => Value::Text(w.to_string()),
                 (Default::Current, Kind::Object(_, wanted)) => match self.database.current(wanted) {
                     Some(current) => Value::Object(current),
                     None if field.required => return Err(vec![call.missing(&[field.name])]),
                     None => continue,
                 },
-                _ => continue,
+                _ => match Value::of_default(field) {
+                    Some(value) => value,
+                    None => continue,
+                },
             };
             self.store(key, Draft::literal(value));
         }

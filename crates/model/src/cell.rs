@@ -1,5 +1,6 @@
 //! Values of objects: what is in a cell, in which units, and where it came from.
 
+use schema::{Default, Field, Kind};
 use serde::{Deserialize, Serialize};
 
 use crate::{Expression, ObjectId, UnitsId, stored};
@@ -38,6 +39,18 @@ pub enum Value {
 }
 
 impl Value {
+    /// What a field holds where nothing is given; none if its default is no plain value.
+    pub fn of_default(field: &Field) -> Option<Value> {
+        Some(match (field.default, field.kind) {
+            (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
+            (Default::Number(x), _) if field.count.least > 1 => Value::Array(Array::column(vec![x; field.count.least])),
+            (Default::Number(x), _) => Value::Number(x),
+            (Default::Word(word), Kind::Boolean(yes, _)) => Value::Flag(word == yes),
+            (Default::Word(word), _) => Value::Text(word.to_string()),
+            _ => return None,
+        })
+    }
+
     pub fn as_number(&self) -> Option<f64> {
         match *self {
             Value::Number(x) => Some(x),
