@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use model::{FunctionText, ObjectId, Piece};
 use schema::referred;
+use syntax::function::Calls;
 
 /// A number in an expression for which there is no object.
 #[derive(Debug, PartialEq)]
@@ -20,54 +21,36 @@ pub(crate) fn bind(
     mut find: impl FnMut(&'static str, i64) -> Option<ObjectId>,
 ) -> (FunctionText, Vec<Missing>) {
     let (mut pieces, mut missing) = (Vec::new(), Vec::new());
-    // Functions whose parentheses are open, and which argument of them is read.
-    let mut open: Vec<(&str, usize)> = Vec::new();
-    let (mut done, mut at, mut word) = (0, 0, 0..0);
-    let bytes = text.as_bytes();
-    let mut leads = false;
-    while let Some(&byte) = bytes.get(at) {
-        match byte {
-            b'(' => {
-                let function = if text[word.end..at].trim().is_empty() { &text[word.clone()] } else { "" };
-                open.push((function, 0));
-                leads = true;
-            }
-            b')' => {
-                open.pop();
-                leads = false;
-            }
-            b',' => {
-                if let Some((_, argument)) = open.last_mut() {
-                    *argument += 1;
+    let mut calls = Calls::default();
+    let (mut done, mut at) = (0, 0);
+    let part_of_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+    while let Some(before) = text[at..].find(part_of_word) {
+        let begin = at + before;
+        let length = text[begin..].find(|c| !part_of_word(c)).unwrap_or(text.len() - begin);
+        let word = begin..begin + length;
+        calls.read(&text[at..begin]);
+        at = word.end;
+        // A number that is an argument by itself.
+        let alone =
+            text[..begin].trim_end().ends_with(['(', ',']) && text[word.end..].trim_start().starts_with([',', ')']);
+        let wanted = calls.place().filter(|_| alone).map(|(function, argument)| referred(function, argument));
+        let number = text[word.clone()].parse::<i64>().ok().filter(|n| *n > 0);
+        let kind = wanted.and_then(|statements| statements.first().copied());
+        let object = number.zip(kind).map(|(number, statement)| (find(statement, number), number, statement));
+        match object {
+            Some((Some(object), ..)) => {
+                if done < word.start {
+                    pieces.push(Piece::Text(text[done..word.start].to_string()));
                 }
-                leads = true;
-            }
-            b' ' => {}
-            _ if byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'.' => {
-                let length = text[at..].find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
-                word = at..at + length.unwrap_or(text.len() - at);
-                let alone = leads && text[word.end..].trim_start().starts_with([',', ')']);
-                let wanted = open.last().filter(|_| alone).map(|(function, argument)| referred(function, *argument));
-                let kind = wanted.and_then(|statements| statements.first().copied());
-                let number = kind.and_then(|_| text[word.clone()].parse::<i64>().ok()).filter(|n| *n > 0);
-                if let (Some(statement), Some(number)) = (kind, number) {
-                    if let Some(object) = find(statement, number) {
-                        if done < word.start {
-                            pieces.push(Piece::Text(text[done..word.start].to_string()));
-                        }
-                        pieces.push(Piece::Object(object));
-                        done = word.end;
-                    } else {
-                        missing.push(Missing { statement, number, at: word.clone() });
-                    }
-                }
-                at = word.end;
-                leads = false;
+                pieces.push(Piece::Object(object));
+                calls.read_object();
+                done = word.end;
                 continue;
             }
-            _ => leads = false,
+            Some((None, number, statement)) => missing.push(Missing { statement, number, at: word.clone() }),
+            None => {}
         }
-        at += 1;
+        calls.read(&text[word]);
     }
     if done < text.len() || pieces.is_empty() {
         pieces.push(Piece::Text(text[done..].to_string()));
@@ -99,6 +82,8 @@ mod tests {
             ("DX(1+1, 2.0, 2)", "DX(1+1, 2.0, <2>)"),
             ("USER(1, 2)", "USER(1, 2)"),
             ("2*(3)", "2*(3)"),
+            ("DX(\t1,\t2 )", "DX(\t<1>,\t<2> )"),
+            ("DX 2 (1)", "DX 2 (1)"),
             ("DX(500)", "DX(500)"),
             ("", ""),
         ] {
