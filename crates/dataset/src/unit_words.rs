@@ -14,6 +14,9 @@ const UNIT_WORDS: &[(&str, &str)] = &[
     ("millinewton", "MILLINEWTON"),
     ("centinewton", "CENTINEWTON"),
     ("poundal", "POUNDAL"),
+    ("nanonewton", "NANONEWTON"),
+    ("micronewton", "MICRONEWTON"),
+    ("meganewton", "MEGANEWTON"),
     ("kg", "KILOGRAM"),
     ("gram", "GRAM"),
     ("pound_mass", "POUND_MASS"),
@@ -24,6 +27,8 @@ const UNIT_WORDS: &[(&str, &str)] = &[
     ("tonne", "TONNE"),
     ("milligram", "MILLIGRAM"),
     ("microgram", "MICROGRAM"),
+    ("nanogram", "NANOGRAM"),
+    ("us_ton", "US_TON"),
     ("mm", "MILLIMETER"),
     ("cm", "CENTIMETER"),
     ("meter", "METER"),
@@ -36,6 +41,7 @@ const UNIT_WORDS: &[(&str, &str)] = &[
     ("mile", "MILE"),
     ("mils", "MILS"),
     ("microinch", "MICROINCH"),
+    ("angstrom", "ANGSTROM"),
     ("second", "SECOND"),
     ("millisecond", "MILLISECOND"),
     ("microsecond", "MICROSECOND"),
@@ -55,10 +61,19 @@ pub(crate) fn solver_unit(name: &str) -> Option<&'static str> {
     UNIT_WORDS.iter().find(|(word, _)| *word == name).map(|(_, solver)| *solver)
 }
 
+/// Second words for units.
+const OTHER_WORDS: &[(&str, &str)] = &[("tonne", "MEGAGRAM"), ("millisecond", "MILLISECONDS")];
+
 /// The unit that a word of a dataset means.
 pub(crate) fn unit_of_word(word: &str) -> Option<&'static str> {
-    let found = UNIT_WORDS.iter().find(|(_, solver)| solver.eq_ignore_ascii_case(word));
-    found.map(|(name, _)| *name).or_else(|| word.eq_ignore_ascii_case("MEGAGRAM").then_some("tonne"))
+    let found = UNIT_WORDS.iter().chain(OTHER_WORDS).find(|(_, solver)| solver.eq_ignore_ascii_case(word));
+    found.map(|(name, _)| *name)
+}
+
+/// The word of a dataset for a unit by the name that commands have for it: `MM`.
+pub(crate) fn meant(word: &str, dimension: Dimension) -> Option<&'static str> {
+    let unit = UnitName::find(&word.to_ascii_lowercase()).filter(|unit| unit.dimension == dimension)?;
+    solver_unit(unit.name)
 }
 
 /// The words of a dataset for the units of a dimension.

@@ -8,6 +8,7 @@ use smallvec::SmallVec;
 use text::{Diagnostic, FileId, Span, suggest};
 
 use super::{
+    contradictions,
     lines::Block,
     statement::{Argument, Statement, item_length},
     vocabulary::{Form, Found, Vocabulary},
@@ -63,15 +64,8 @@ impl Splitter<'_> {
             arguments.piece(piece.clone(), true);
         }
         let arguments = arguments.found;
-        if block.inactive && self.diagnostics[before..].iter().any(Diagnostic::is_error) {
-            self.diagnostics.truncate(before);
-            let message = format!("{name} behind comment marks is not read");
-            let unread = Diagnostic::warning("dataset/inactive-not-read", message);
-            self.diagnostics.push(unread.at(self.span(&first), "left out"));
-            return None;
-        }
         let end = block.pieces.last().map_or(first.end, |piece| piece.end);
-        Some(Statement {
+        let mut statement = Statement {
             name,
             id,
             arguments,
@@ -81,7 +75,16 @@ impl Splitter<'_> {
             inactive: block.inactive,
             span: self.span(&(first.start..end)),
             head: self.span(&(first.start..head_end)),
-        })
+        };
+        self.diagnostics.extend(contradictions::resolve(&mut statement));
+        if statement.inactive && self.diagnostics[before..].iter().any(Diagnostic::is_error) {
+            self.diagnostics.truncate(before);
+            let message = format!("{name} behind comment marks is not read");
+            let unread = Diagnostic::warning("dataset/inactive-not-read", message);
+            self.diagnostics.push(unread.at(self.span(&first), "left out"));
+            return None;
+        }
+        Some(statement)
     }
 
     fn name(&mut self, typed: &str, at: &Range<usize>, inactive: bool) -> Option<&'static str> {

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use model::{Array, Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
-use schema::{Default, Field, Kind, Registry};
+use schema::{Count, Default, Field, Kind, Registry};
 use text::{Diagnostic, FileId, Span, suggest};
 
 use super::{
@@ -123,12 +123,21 @@ fn merged(all: Vec<Statement>) -> (Vec<Statement>, Vec<Diagnostic>) {
     (merged, repeated)
 }
 
+/// How many values there may be, in words.
+pub(super) fn wanted(count: Count) -> String {
+    match (count.least, count.most) {
+        (least, most) if least == most => least.to_string(),
+        (least, usize::MAX) => format!("at least {least}"),
+        (least, most) => format!("{least} to {most}"),
+    }
+}
+
 /// Whether a title ends in what is a name, and not a sentence.
 fn is_name(name: &str) -> bool {
     !name.is_empty() && name.len() <= 200 && !name.contains(['.', '"', ':', '#', '\t'])
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     pub fn span(&self, range: &Range<usize>) -> Span {
         Span::new(self.file, range.start, range.end)
     }
@@ -140,8 +149,8 @@ impl Builder<'_> {
     // ---- troubles ----
 
     /// Reports a word that is none of those accepted.
-    pub fn unknown_word(&mut self, argument: &Argument, typed: &str, accepted: &[&str]) {
-        let at = argument.items(self.text).first().map_or(argument.span, |(_, range)| self.span(range));
+    pub fn unknown_word(&mut self, argument: &Argument, (typed, at): (&str, Range<usize>), accepted: &[&str]) {
+        let at = self.span(&at);
         let message = format!("`{}` cannot be `{typed}`", argument.keyword);
         let mut wrong = Diagnostic::error("dataset/unknown-word", message).at(at, "not known");
         match suggest(typed, accepted.iter().copied()) {
@@ -149,6 +158,18 @@ impl Builder<'_> {
             None => wrong = wrong.help(format!("it is one of {}", accepted.join(", "))),
         }
         self.report(wrong);
+    }
+
+    /// The word of an argument that takes one.
+    pub fn only<'s>(&mut self, argument: &'s Argument) -> Option<(&'s str, Range<usize>)>
+    where
+        'a: 's,
+    {
+        let mut words = argument.words(self.text);
+        if words.len() != 1 {
+            self.count(argument, words.len(), "1");
+        }
+        words.pop().filter(|_| words.is_empty())
     }
 
     /// Reports an argument that is understood, but that the model has no place for.
@@ -162,6 +183,13 @@ impl Builder<'_> {
         let message = format!("{} has no `{keyword}`", entry.name());
         let missing = Diagnostic::error("dataset/missing-argument", message);
         self.report(missing.at(entry.statement.head, format!("`{keyword}` is missing")));
+    }
+
+    /// Reports an argument that is not given, and that the statement needs.
+    pub fn needs(&mut self, entry: &Entry<'_>, keyword: &str) {
+        if entry.statement.argument(keyword).is_none() {
+            self.missing(entry, keyword);
+        }
     }
 
     // ---- values ----
@@ -198,7 +226,8 @@ impl Builder<'_> {
     }
 
     pub fn count(&mut self, argument: &Argument, given: usize, wanted: &str) {
-        let message = format!("`{}` takes {wanted} values, not {given}", argument.keyword);
+        let values = if wanted == "1" { "value" } else { "values" };
+        let message = format!("`{}` takes {wanted} {values}, not {given}", argument.keyword);
         let label = if given == 0 { "nothing is given".to_string() } else { format!("{given} given") };
         self.report(Diagnostic::error("dataset/count", message).at(argument.span, label));
     }
@@ -230,12 +259,7 @@ impl Builder<'_> {
     pub fn set_listed(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument, list: &[(Number, Range<usize>)]) {
         let Some(field) = Self::field(entry, name) else { return };
         if list.len() < field.count.least || list.len() > field.count.most {
-            let wanted = match (field.count.least, field.count.most) {
-                (least, most) if least == most => least.to_string(),
-                (least, usize::MAX) => format!("at least {least}"),
-                (least, most) => format!("{least} to {most}"),
-            };
-            return self.count(argument, list.len(), &wanted);
+            return self.count(argument, list.len(), &wanted(field.count));
         }
         let d = field.dimension;
         let angle = statements::is_angle(d);
@@ -317,7 +341,7 @@ impl Builder<'_> {
         let items = argument.items(self.text);
         let given = items.len();
         if given < field.count.least || given > field.count.most {
-            return self.count(argument, given, &field.count.least.to_string());
+            return self.count(argument, given, &self::wanted(field.count));
         }
         let found: Vec<_> =
             items.into_iter().filter_map(|item| self.object(entry, argument, item, &statements, wanted)).collect();
@@ -362,20 +386,9 @@ impl Builder<'_> {
             {
                 continue;
             }
-            let value = match (field.default, field.kind) {
-                (Default::Number(x), Kind::Integer) => Value::Integer(x as i64),
-                (Default::Number(x), _) => {
-                    let x = if zero { 0.0 } else { x };
-                    if field.count.least > 1 {
-                        Value::Array(Array::column(vec![x; field.count.least]))
-                    } else {
-                        Value::Number(x)
-                    }
-                }
-                (Default::Word(word), Kind::Boolean(yes, _)) => Value::Flag(word == yes),
-                (Default::Word(word), _) => Value::Text(word.to_string()),
-                _ => continue,
-            };
+            let number = matches!(field.default, Default::Number(_)) && field.kind != Kind::Integer;
+            let field = if zero && number { &field.default(0.0) } else { field };
+            let Some(value) = Value::of_default(field) else { continue };
             self.store(entry.id, field.name, value);
         }
     }

@@ -10,20 +10,24 @@ impl<'a> Builder<'a> {
     /// Stores a word that the field accepts, in full or as a beginning.
     pub fn set_word(&mut self, entry: &Entry<'_>, field: &Field, argument: &Argument) {
         let Kind::Choice(words) = field.kind else { return };
-        let typed = argument.value(self.text);
         let mut chosen = Vec::new();
-        for word in typed.split(':').map(|word| values::unquoted(word).to_ascii_lowercase()) {
-            let exact = words.iter().find(|known| **known == word);
-            let mut begins = words.iter().filter(|known| !word.is_empty() && known.starts_with(word.as_str()));
+        for (word, at) in argument.words(self.text) {
+            let typed = word.to_ascii_lowercase();
+            let exact = words.iter().find(|known| **known == typed);
+            let mut begins = words.iter().filter(|known| !word.is_empty() && known.starts_with(typed.as_str()));
             let only = match (begins.next(), begins.next()) {
                 (Some(one), None) => Some(one),
                 _ => None,
             };
             let Some(known) = exact.or(only) else {
                 let capitals: Vec<_> = words.iter().map(|w| w.to_ascii_uppercase()).collect();
-                return self.unknown_word(argument, &word, &capitals.iter().map(String::as_str).collect::<Vec<_>>());
+                let capitals: Vec<_> = capitals.iter().map(String::as_str).collect();
+                return self.unknown_word(argument, (word, at), &capitals);
             };
             chosen.push((*known).to_string());
+        }
+        if chosen.is_empty() || chosen.len() > field.count.most {
+            return self.count(argument, chosen.len(), &super::build::wanted(field.count));
         }
         let value = match chosen.as_slice() {
             [one] if field.count.most == 1 => Value::Text(one.clone()),

@@ -5,6 +5,7 @@
 mod arguments;
 mod build;
 mod cells;
+mod contradictions;
 mod entry;
 mod functions;
 mod guess;

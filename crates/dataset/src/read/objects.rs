@@ -283,9 +283,7 @@ impl<'a> Builder<'a> {
         }
         self.defaults(entry);
         for keyword in statements::REQUIRED.iter().filter(|(s, _)| *s == entry.statement.name).flat_map(|(_, k)| *k) {
-            if entry.statement.argument(keyword).is_none() {
-                self.missing(entry, keyword);
-            }
+            self.needs(entry, keyword);
         }
         let statement = entry.statement;
         if !statement.comments.is_empty() {

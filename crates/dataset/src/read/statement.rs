@@ -5,7 +5,7 @@ use std::ops::Range;
 use smallvec::SmallVec;
 use text::Span;
 
-use super::vocabulary::Form;
+use super::{values, vocabulary::Form};
 
 /// One argument of a statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +69,25 @@ impl Argument {
             }
         }
         items
+    }
+
+    /// The words between commas or colons, with their places and without their quotes.
+    pub(crate) fn words<'s>(&self, source: &'s str) -> Vec<(&'s str, Range<usize>)> {
+        let mut words = Vec::new();
+        for (item, range) in self.items(source) {
+            let (mut at, mut in_quotes) = (range.start, false);
+            let parts = item.split(|c: char| {
+                in_quotes ^= c == '"';
+                c == ':' && !in_quotes
+            });
+            for part in parts {
+                let word = values::unquoted(part);
+                let begin = at + part.find(word).unwrap_or(0);
+                words.push((word, begin..begin + word.len()));
+                at += part.len() + 1;
+            }
+        }
+        words
     }
 }
 

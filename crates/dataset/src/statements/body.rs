@@ -87,12 +87,12 @@ fn marker_cm(w: &Writer<'_>, id: ObjectId) -> Option<ObjectId> {
 
 fn mass(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     let given = w.database.number(id, "mass").map(|mass| {
-        let of = |name| w.database.number(id, name).unwrap_or(0.0);
+        let of = |name: &&str| w.database.number(id, name).unwrap_or(0.0);
         Mass {
             mass,
             center: w.database.reference(id, "center_of_mass_marker"),
             inertia_marker: w.database.reference(id, "inertia_marker"),
-            inertia: [of("ixx"), of("iyy"), of("izz"), of("ixy"), of("izx"), of("iyz")],
+            inertia: INERTIAS.each_ref().map(of),
         }
     });
     let rounding = if given.is_some() { ROUNDING } else { PRINCIPAL };

@@ -2,7 +2,7 @@
 
 use model::{ObjectId, Value};
 
-use super::{Chosen, function_or_user, number_field, numbers, reference, type_of_freedom};
+use super::{Chosen, function_or_user, number_field, numbers, reference};
 use crate::{
     layout::Lines,
     read::{Builder, Entry, Form, Statement, Word},
@@ -42,26 +42,27 @@ fn start(w: &Writer<'_>, id: ObjectId, names: [&str; 2], keyword: &str, lines: &
 }
 
 pub(super) fn motion(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
-    if w.database.reference(id, "joint_name").is_some() {
-        type_of_freedom(w, id, lines);
+    let of_joint = w.database.reference(id, "joint_name").is_some();
+    let words = |w: &Writer<'_>, lines: &mut Lines, cells: &[&str]| {
+        for (cell, _) in MOTION_CELLS.iter().filter(|(cell, _)| cells.contains(cell)) {
+            if let Some(word) = w.database.text(id, cell).filter(|word| *word != "displacement") {
+                lines.flag(&word.to_ascii_uppercase());
+            }
+        }
+    };
+    if of_joint {
+        words(w, lines, &["type_of_freedom"]);
         reference(w, id, "joint_name", "JOINT", lines);
     } else {
         reference(w, id, "i_marker_name", "I", lines);
         reference(w, id, "j_marker_name", "J", lines);
-        if let Some(axis) = w.database.text(id, "axis") {
-            lines.flag(&axis.to_ascii_uppercase());
+        words(w, lines, &["axis"]);
+    }
+    words(w, lines, &["time_derivative"]);
+    for (keyword, cells) in MOTION_START {
+        for cell in cells {
+            number_field(w, id, cell, keyword, lines);
         }
-    }
-    if let Some(order) = w.database.text(id, "time_derivative").filter(|word| *word != "displacement") {
-        lines.flag(&order.to_ascii_uppercase());
-    }
-    for (name, keyword) in [
-        ("displacement_ic", "ICDISP"),
-        ("rotational_displacement_ic", "ICDISP"),
-        ("velocity_ic", "ICVEL"),
-        ("rotational_velocity_ic", "ICVEL"),
-    ] {
-        number_field(w, id, name, keyword, lines);
     }
     function_or_user(w, id, lines);
 }
@@ -96,21 +97,22 @@ pub(super) const JOINT_VALUES: &[Word] = &[
     ("ICROT", Form::Value),
     ("ICTRAN", Form::Value),
 ];
-pub(super) const MOTION_WORDS: &[Word] = &[
-    ("TRANSLATIONAL", Form::Flag),
-    ("ROTATIONAL", Form::Flag),
-    ("X", Form::Flag),
-    ("Y", Form::Flag),
-    ("Z", Form::Flag),
-    ("B1", Form::Flag),
-    ("B2", Form::Flag),
-    ("B3", Form::Flag),
-    ("DISPLACEMENT", Form::Flag),
-    ("VELOCITY", Form::Flag),
-    ("ACCELERATION", Form::Flag),
-    ("ICDISP", Form::Value),
-    ("ICVEL", Form::Value),
+/// Cells of a MOTION that are bare words of the statement.
+pub(super) const MOTION_CELLS: [(&str, &[&str]); 3] = [
+    ("type_of_freedom", &["TRANSLATIONAL", "ROTATIONAL"]),
+    ("axis", &["X", "Y", "Z", "B1", "B2", "B3"]),
+    ("time_derivative", &["DISPLACEMENT", "VELOCITY", "ACCELERATION"]),
 ];
+/// Its start values: the cells of what slides and of what turns.
+const MOTION_START: [(&str, [&str; 2]); 2] = [
+    ("ICDISP", ["displacement_ic", "rotational_displacement_ic"]),
+    ("ICVEL", ["velocity_ic", "rotational_velocity_ic"]),
+];
+
+pub(super) fn motion_words() -> Vec<Word> {
+    let flags = MOTION_CELLS.iter().flat_map(|(_, words)| words.iter().map(|word| (*word, Form::Flag)));
+    flags.chain(MOTION_START.map(|(keyword, _)| (keyword, Form::Value))).collect()
+}
 
 /// The class that the word of a statement stands for.
 pub(super) fn kind(statement: &Statement, kinds: &[(&'static str, &'static str)]) -> Chosen {
@@ -152,11 +154,7 @@ pub(super) fn read_joint<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 }
 
 pub(super) fn read_motion<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    super::reading::type_of_freedom(b, e);
-    for (cell, words) in [
-        ("axis", &["X", "Y", "Z", "B1", "B2", "B3"][..]),
-        ("time_derivative", &["DISPLACEMENT", "VELOCITY", "ACCELERATION"]),
-    ] {
+    for (cell, words) in MOTION_CELLS {
         if let Some(word) = e.one_of(words) {
             b.store(e.id, cell, Value::Text(word.to_ascii_lowercase()));
         }
@@ -165,14 +163,9 @@ pub(super) fn read_motion<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     let text = |b: &Builder<'_>, cell| b.database.text(e.id, cell).map(str::to_string);
     let turns = text(b, "type_of_freedom")
         .map_or_else(|| text(b, "axis").is_some_and(|axis| axis.starts_with('b')), |word| word == "rotational");
-    let cells = if turns {
-        ["rotational_displacement_ic", "rotational_velocity_ic"]
-    } else {
-        ["displacement_ic", "velocity_ic"]
-    };
-    for (keyword, cell) in ["ICDISP", "ICVEL"].into_iter().zip(cells) {
+    for (keyword, [slides, turned]) in MOTION_START {
         if let Some(argument) = e.take(keyword) {
-            b.set_numbers(e, cell, argument);
+            b.set_numbers(e, if turns { turned } else { slides }, argument);
         }
     }
 }

@@ -2,11 +2,12 @@
 
 use model::{Array, ObjectId, Value};
 use schema::Kind;
+use text::Diagnostic;
 
 use super::{function_or_user, number_field, numbers, reference, texts};
 use crate::{
     layout::Lines,
-    read::{Builder, Entry, Form, Word},
+    read::{Argument, Builder, Entry, Form, Word},
     write::Writer,
 };
 
@@ -184,35 +185,49 @@ pub(super) fn contact_words() -> Vec<Word> {
 }
 
 pub(super) fn read_coupler<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    let joints = e.statement.argument("JOINTS").map_or(0, |argument| argument.items(b.text).len());
     if let Some(argument) = e.take("TYPE") {
-        let value = argument.value(b.text);
-        let mut kinds = Vec::new();
-        for word in value.split([':', ',']).map(str::trim) {
-            match word.bytes().next().map(|c| c.to_ascii_uppercase()) {
-                Some(b'R') => kinds.push("rot"),
-                Some(b'T') => kinds.push("tra"),
-                _ => return b.unknown_word(argument, word, &["R", "T"]),
-            }
-        }
-        b.store(e.id, "type_of_freedom", Value::Text(kinds.join("_")));
+        read_freedoms(b, e, argument, joints);
     }
-    // One factor given is that of the second joint: the first has 1.
-    if let Some(argument) = e.take("SCALES")
-        && let Some(mut scales) = b.plain(argument)
-    {
-        let joints = b.database.value(e.id, "joint_name").map_or(0, |joints| joints.objects().len());
-        let joints = joints.max(e.statement.argument("JOINTS").map_or(0, |a| a.items(b.text).len()));
-        if scales.len() + 1 == joints {
-            scales.insert(0, 1.0);
-        }
-        if scales.len() != joints {
-            b.count(argument, scales.len(), &joints.to_string());
-        }
-        b.store(e.id, "motion_multipliers", Value::Array(Array::column(scales)));
+    if let Some(argument) = e.take("SCALES") {
+        read_scales(b, e, argument, joints);
+    } else if e.statement.argument("FUNCTION").is_none() {
+        b.needs(e, "SCALES");
     }
     if let Some(argument) = e.take("FUNCTION") {
         b.set_function(e, "function", argument);
     }
+}
+
+/// Whether each joint turns or slides.
+fn read_freedoms(b: &mut Builder<'_>, e: &Entry<'_>, argument: &Argument, joints: usize) {
+    let mut kinds = Vec::new();
+    for (word, at) in argument.words(b.text) {
+        let typed = word.to_ascii_uppercase();
+        let begins = |freedom: &str| !typed.is_empty() && freedom.starts_with(&typed);
+        kinds.push(match [begins("ROTATIONAL"), begins("TRANSLATIONAL")] {
+            [true, _] => "rot",
+            [_, true] => "tra",
+            _ => return b.unknown_word(argument, (word, at), &["R", "T"]),
+        });
+    }
+    if joints > 0 && kinds.len() != joints {
+        return b.count(argument, kinds.len(), &format!("{joints}, one for each joint,"));
+    }
+    b.store(e.id, "type_of_freedom", Value::Text(kinds.join("_")));
+}
+
+/// One factor less than joints: the first joint has 1.
+fn read_scales(b: &mut Builder<'_>, e: &Entry<'_>, argument: &Argument, joints: usize) {
+    let Some(mut scales) = b.plain(argument) else { return };
+    if scales.len() + 1 == joints {
+        scales.insert(0, 1.0);
+    }
+    if joints > 0 && scales.len() != joints {
+        let wanted = if joints > 1 { format!("{} or {joints}", joints - 1) } else { "2 or 3".to_string() };
+        return b.count(argument, scales.len(), &wanted);
+    }
+    b.store(e.id, "motion_multipliers", Value::Array(Array::column(scales)));
 }
 
 pub(super) fn read_point_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
@@ -224,8 +239,16 @@ pub(super) fn read_point_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 }
 
 pub(super) fn read_contact<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    for law in CONTACT_LAWS {
-        e.flag(law);
+    let law = e.one_of(&CONTACT_LAWS);
+    match law {
+        Some("IMPACT") => b.needs(e, "STIFFNESS"),
+        Some(_) => b.needs(e, "PENALTY"),
+        None if e.statement.argument("NORMAL_FUNCTION").is_none() => {
+            let message = format!("{} does not say what its normal force follows from", e.name());
+            let laws = format!("add one of {}, NORMAL_FUNCTION", CONTACT_LAWS.join(", "));
+            b.report(Diagnostic::error("dataset/no-kind", message).at(e.statement.head, "no law of force").help(laws));
+        }
+        None => {}
     }
     for (cell, keyword) in contact_cells() {
         let Some(field) = Builder::field(e, cell) else { continue };

@@ -36,8 +36,9 @@ fn six(w: &Writer<'_>, id: ObjectId, keyword: &str, cells: [&str; 2], lines: &mu
 
 pub(super) fn field(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
     regular::without(w, id, &["ROUTINE"], lines);
-    six(w, id, "LENGTH", ["translation_at_preload", "rotation_at_preload"], lines);
-    six(w, id, "FORCE", ["force_preload", "torque_preload"], lines);
+    for (keyword, cells) in FIELD_SIX {
+        six(w, id, keyword, cells, lines);
+    }
     subroutine(w, id, lines);
 }
 
@@ -143,6 +144,10 @@ pub(super) const ARRAYS: &[(&str, &str)] = &[("X", "array_x"), ("U", "array_u"),
 const SENSOR_LIMITS: [(&str, &str, &str); 2] =
     [("VALUE", "value", "angular_value"), ("ERROR", "error", "angular_error")];
 
+/// Arguments of a FIELD of six values, and the cells of three each.
+const FIELD_SIX: [(&str, [&str; 2]); 2] =
+    [("LENGTH", ["translation_at_preload", "rotation_at_preload"]), ("FORCE", ["force_preload", "torque_preload"])];
+
 pub(super) const FIELD_WORDS: &[Word] =
     &[("LENGTH", Form::Value), ("FORCE", Form::Value), ("FUNCTION", Form::Function)];
 pub(super) const MATRIX_WORDS: &[Word] = &[
@@ -159,14 +164,13 @@ pub(super) const CURVE_WORDS: &[Word] = &[
     ("FUNCTION", Form::Function),
     ("ORDER", Form::Value),
 ];
-pub(super) const SENSOR_WORDS: &[Word] = &[("EQ", Form::Flag), ("GE", Form::Flag), ("LE", Form::Flag)];
+/// How a sensor compares.
+pub(super) const COMPARISONS: [&str; 3] = ["EQ", "GE", "LE"];
 pub(super) const SPLINE_WORDS: &[Word] = &[("FUNCTION", Form::Function)];
 
 /// Translation and rotation of the six values of a FIELD.
 pub(super) fn read_field<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    for (keyword, cells) in
-        [("LENGTH", ["translation_at_preload", "rotation_at_preload"]), ("FORCE", ["force_preload", "torque_preload"])]
-    {
+    for (keyword, cells) in FIELD_SIX {
         let Some(argument) = e.take(keyword) else { continue };
         let Some(list) = b.list(argument) else { continue };
         if list.len() == 6 {
@@ -203,13 +207,12 @@ pub(super) fn matrix_kind(statement: &Statement) -> Chosen {
 
 pub(super) fn read_matrix<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     if let Some(argument) = e.take("FULL") {
-        let typed = argument.value(b.text).to_ascii_uppercase();
-        let order = if !typed.is_empty() && "RORDER".starts_with(&typed) {
-            "by_row"
-        } else if !typed.is_empty() && "CORDER".starts_with(&typed) {
-            "by_column"
-        } else {
-            return b.unknown_word(argument, &typed, &["RORDER", "CORDER"]);
+        let Some((word, at)) = b.only(argument) else { return };
+        let typed = word.to_ascii_uppercase();
+        let order = match typed.as_str() {
+            begins if !begins.is_empty() && "RORDER".starts_with(begins) => "by_row",
+            begins if !begins.is_empty() && "CORDER".starts_with(begins) => "by_column",
+            _ => return b.unknown_word(argument, (word, at), &["RORDER", "CORDER"]),
         };
         b.store(e.id, "input_order", Value::Text(order.to_string()));
     }
@@ -291,7 +294,7 @@ pub(super) fn read_spline<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 }
 
 pub(super) fn read_sensor<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    if let Some(word) = e.one_of(&["EQ", "GE", "LE"]) {
+    if let Some(word) = e.one_of(&COMPARISONS) {
         b.store(e.id, "compare", Value::Text(word.to_ascii_lowercase()));
     }
     // A limit in degrees is one of an angle.

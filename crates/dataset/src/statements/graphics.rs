@@ -162,6 +162,11 @@ pub(super) const WORDS: &[Word] = &[
     ("COIL", Form::Value),
 ];
 
+/// The bare words of shapes, of which a statement has one.
+pub(super) fn shapes() -> Vec<&'static str> {
+    SHAPES.iter().map(|(_, word, _)| *word).chain(["BOX", "FORCE"]).chain(UNREAD.iter().copied()).collect()
+}
+
 /// The class of a shape.
 pub(super) fn kind(statement: &Statement) -> Chosen {
     if let Some((class, ..)) = SHAPES.iter().find(|(_, word, _)| statement.has(word)) {

@@ -1,6 +1,7 @@
 //! From objects to statements and back. What the schema says is enough for most ([`regular`]); the
 //! others have a file each, which writes and reads them.
 
+mod alternatives;
 mod body;
 mod constraint;
 mod coupled;
@@ -13,6 +14,7 @@ mod request;
 mod settings;
 mod vector;
 
+pub(crate) use alternatives::choices;
 pub(crate) use graphics::moves;
 pub(crate) use gravity::{NAME as GRAVITY, gravity};
 pub(crate) use reading::{Chosen, REQUIRED, class_of, read, required, words};

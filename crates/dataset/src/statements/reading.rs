@@ -53,20 +53,20 @@ pub(crate) fn words(statement: &str) -> Vec<Word> {
         "JPRIM" => return kinds(constraint::PRIMITIVES),
         "ARRAY" => return kinds(data::ARRAYS),
         "CONTACT" => return coupled::contact_words(),
+        "MOTION" => return constraint::motion_words(),
+        "REQUEST" => return request::words(),
+        "SENSOR" => return data::COMPARISONS.map(|word| (word, Form::Flag)).to_vec(),
         "UNITS" => UNITS,
         "PART" | "POINT_MASS" => body::BODY_WORDS,
         "MARKER" => body::MARKER_WORDS,
-        "MOTION" => constraint::MOTION_WORDS,
         "SFORCE" | "SPRINGDAMPER" => TURNS,
         "GRAPHICS" => graphics::WORDS,
-        "REQUEST" => request::WORDS,
         "VFORCE" | "VTORQUE" | "GFORCE" | "GSE" => vector::WORDS,
         "COUPLER" => coupled::COUPLER_WORDS,
         "PTCV" => coupled::POINT_CURVE_WORDS,
         "FIELD" => data::FIELD_WORDS,
         "MATRIX" => data::MATRIX_WORDS,
         "CURVE" => data::CURVE_WORDS,
-        "SENSOR" => data::SENSOR_WORDS,
         "SPLINE" => data::SPLINE_WORDS,
         _ => &[],
     };
@@ -122,7 +122,7 @@ pub(crate) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 }
 
 /// `TRANSLATIONAL` or `ROTATIONAL`, in a cell of its own.
-pub(super) fn type_of_freedom<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+fn type_of_freedom<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     if let Some(word) = e.one_of(&["TRANSLATIONAL", "ROTATIONAL"]) {
         b.store(e.id, "type_of_freedom", model::Value::Text(word.to_ascii_lowercase()));
     }

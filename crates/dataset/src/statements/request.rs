@@ -1,6 +1,7 @@
 //! REQUEST: two markers and what is recorded of them, or up to eight functions.
 
 use model::{ObjectId, Value};
+use schema::Kind;
 
 use super::{function_text, reference, texts, user_function};
 use crate::{
@@ -61,10 +62,9 @@ pub(super) fn request(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
         w.warn("dataset/argument-not-written", format!("`variable_name` of `{name}` is not written yet"));
     }
     let (mut earlier, mut left_out) = (false, false);
-    for (field, keyword) in
-        [("f1", "F1"), ("f2", "F2"), ("f3", "F3"), ("f4", "F4"), ("f5", "F5"), ("f6", "F6"), ("f7", "F7"), ("f8", "F8")]
-    {
-        let (text, troubles) = w.attempt(|w| function_text(w, id, field));
+    for field in w.database.object(id).class.fields().filter(|field| field.kind == Kind::Function) {
+        let Some(keyword) = field.keyword else { continue };
+        let (text, troubles) = w.attempt(|w| function_text(w, id, field.name));
         if !troubles.is_empty() {
             // The other components are as good without this one.
             w.leave_out(&format!("{keyword} = {text}"), troubles);
@@ -102,17 +102,16 @@ fn headings(text: &str) -> Vec<String> {
     parted.map(|word| unquoted(word).to_string()).collect()
 }
 
-pub(super) const WORDS: &[Word] = &[
-    ("DISPLACEMENT", Form::Flag),
-    ("VELOCITY", Form::Flag),
-    ("ACCELERATION", Form::Flag),
-    ("FORCE", Form::Flag),
-    ("FUNCTION", Form::Function),
-    ("ROUTINE", Form::Value),
-];
+/// What is recorded of two markers.
+pub(super) const KINDS: [&str; 4] = ["DISPLACEMENT", "VELOCITY", "ACCELERATION", "FORCE"];
+
+pub(super) fn words() -> Vec<Word> {
+    let kinds = KINDS.map(|kind| (kind, Form::Flag));
+    kinds.into_iter().chain([("FUNCTION", Form::Function), ("ROUTINE", Form::Value)]).collect()
+}
 
 pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
-    if let Some(word) = e.one_of(&["DISPLACEMENT", "VELOCITY", "ACCELERATION", "FORCE"]) {
+    if let Some(word) = e.one_of(&KINDS) {
         b.store(e.id, "output_type", Value::Text(word.to_ascii_lowercase()));
     }
     if let Some(argument) = e.take("TITLE") {

@@ -25,6 +25,9 @@ fn without_units_the_consistency_factor_is_one() {
         ("UNITS/LENGTH=METER\n", 1.0),
         ("UNITS/UCF=2\n", 2.0),
         ("UNITS/SYSTEM=MKS, LENGTH=MILLIMETER\n", 1000.0),
+        ("UNITS/LENGTH=MILLIMETER, SYSTEM=MKS\n", 1000.0),
+        // Newton's law by definition of the pound-force: the pound mass falls with 32.174049 feet/s2.
+        ("UNITS/SYSTEM=FPS\n", 9.806_65 / 0.3048),
     ] {
         let mut session = Session::new();
         reads(&mut session, &format!("{units}{PUSHED}"));
@@ -60,6 +63,39 @@ fn what_units_does_not_tell_is_named_with_what_is_taken() {
         assert_eq!(taken(whole), [], "{whole}");
     }
     assert_eq!(taken("UNITS/SYSTEM=NONE\n")[0].0, "dataset/without-units");
+}
+
+/// A unit that is named counts beside a system, wherever it stands; a factor is one number above zero.
+#[test]
+fn units_that_contradict_or_say_nothing_are_named() {
+    let said = |units: &str| {
+        let desk = Desk::new();
+        let mut session = quiet();
+        let report = session.read(&desk.put("m.adm", &format!("t\n{units}\nPART/1, GROUND\nEND\n")));
+        let under = |d: &text::Diagnostic| session.sources().slice(d.primary.as_ref().unwrap().span).to_string();
+        let found: Vec<_> = report.diagnostics.iter().map(|d| (d.code, under(d), d.message.clone())).collect();
+        (found, session.database().units().length.name, session.database().units().consistency_factor())
+    };
+    for units in ["UNITS/LENGTH=INCH, SYSTEM=MKS", "UNITS/SYSTEM=MKS, LENGTH=INCH"] {
+        let (found, length, _) = said(units);
+        let [(code, under, message)] = &found[..] else { panic!("{found:?}") };
+        assert_eq!((*code, under.as_str(), length), ("dataset/units-twice", "LENGTH=INCH", "inch"), "{units}");
+        assert!(message.contains("SYSTEM and `LENGTH`"), "{message}");
+    }
+    for (given, code, under) in [
+        ("UCF=", "dataset/count", "UCF"),
+        ("UCF=1,2", "dataset/count", "UCF=1,2"),
+        ("UCF=0", "dataset/outside", "UCF=0"),
+        ("UCF=-1", "dataset/outside", "UCF=-1"),
+        ("LENGTH=", "dataset/count", "LENGTH"),
+        ("LENGTH=METER,INCH", "dataset/count", "LENGTH=METER,INCH"),
+        ("LENGTH=MM", "dataset/unknown-word", "MM"),
+        ("SYSTEM=MSK", "dataset/unknown-word", "MSK"),
+    ] {
+        let (found, _, factor) = said(&format!("UNITS/FORCE=NEWTON,MASS=KILOGRAM,TIME=SECOND,{given}"));
+        assert!(found.iter().any(|(c, u, _)| *c == code && u == under), "{given}: {found:?}");
+        assert!((factor - 1.0).abs() < 1e-12, "{given}: {factor}");
+    }
 }
 
 /// Twin: the same file in sessions whose units differ.

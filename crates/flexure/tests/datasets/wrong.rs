@@ -106,6 +106,53 @@ const CASES: &[Case] = &[
         "Y = 1,4,5,6",
         "takes 5 values, not 4",
     ),
+    ("CONTACT/1, POISSON, PENALTY=1, IMPACT", "dataset/contradiction", "IMPACT", "remove `POISSON` or `IMPACT`"),
+    ("CONTACT/1, PENALTY=1, IMPACT, STIFFNESS=1", "dataset/contradiction", "PENALTY", "CONTACT/1 has `IMPACT`"),
+    ("CONTACT/1, IMPACT, DMAX=1", "dataset/missing-argument", "CONTACT/1", "`STIFFNESS` is missing"),
+    ("CONTACT/1, POISSON", "dataset/missing-argument", "CONTACT/1", "`PENALTY` is missing"),
+    ("CONTACT/1, STIFFNESS=1", "dataset/no-kind", "CONTACT/1", "IMPACT, POISSON, NORMAL_FUNCTION"),
+    ("CURVE/1, CONTROL_POINTS, CURVE_POINTS", "dataset/contradiction", "CURVE_POINTS", "`CONTROL_POINTS`"),
+    ("CURVE/1, OPEN, CLOSED", "dataset/contradiction", "CLOSED", "remove `OPEN` or `CLOSED`"),
+    ("JOINT/1, FIXED, REVOLUTE, I=3, J=1", "dataset/contradiction", "REVOLUTE", "JOINT/1 has `FIXED`"),
+    ("JPRIM/1, INLINE, INPLANE, I=3, J=1", "dataset/contradiction", "INPLANE", "one excludes the other"),
+    ("MARKER/4, PART=1, POINT_MASS=2", "dataset/contradiction", "POINT_MASS", "remove `PART`"),
+    ("MARKER/4, PART=1, REULER=0,0,1, ZP=0,0,1", "dataset/contradiction", "ZP", "remove `REULER`"),
+    ("SFORCE/1, ROTA, TRANS, I=3, J=1, FUNCTION=1", "dataset/contradiction", "TRANS", "`ROTATIONAL`"),
+    ("SPRINGDAMPER/1, ROTA, I=3, J=1, K=2, C=1", "dataset/contradiction", "K", "`K`, `C`"),
+    ("MOTION/1, I=3, J=1, X, Y, FUNCTION=1", "dataset/contradiction", "Y", "MOTION/1 has `X` and `Y`"),
+    ("MATRIX/1, FULL=RORDER, ROWS=1, COLUMNS=1, VALUES=1, SPARSE", "dataset/contradiction", "SPARSE", "`FULL`"),
+    ("MATRIX/1, FULL=Q, ROWS=1, COLUMNS=1, VALUES=1", "dataset/unknown-word", "Q", "RORDER, CORDER"),
+    (
+        "JOINT/1, REVOLUTE, I=3, J=1\nJOINT/2, CYLINDRICAL, I=3, J=2\nCOUPLER/1, JOINTS=1,2, TYPE=R:RUT, SCALES=2",
+        "dataset/unknown-word",
+        "RUT",
+        "cannot be `RUT`",
+    ),
+    (
+        "JOINT/1, REVOLUTE, I=3, J=1\nJOINT/2, CYLINDRICAL, I=3, J=2\nCOUPLER/1, JOINTS=1,2, TYPE=R, SCALES=2",
+        "dataset/count",
+        "TYPE=R",
+        "one for each joint",
+    ),
+    (
+        "JOINT/1, REVOLUTE, I=3, J=1\nJOINT/2, CYLINDRICAL, I=3, J=2\nCOUPLER/1, JOINTS=1,2, TYPE=R:T, SCALES=1,2,3",
+        "dataset/count",
+        "SCALES=1,2,3",
+        "takes 1 or 2 values, not 3",
+    ),
+    (
+        "JOINT/1, REVOLUTE, I=3, J=1\nJOINT/2, CYLINDRICAL, I=3, J=2\nCOUPLER/1, JOINTS=1,2, TYPE=R:T",
+        "dataset/missing-argument",
+        "COUPLER/1",
+        "`SCALES` is missing",
+    ),
+    (
+        "JOINT/1, REVOLUTE, I=3, J=1\nJOINT/2, CYLINDRICAL, I=3, J=2\nCOUPLER/1, JOINTS=1,2, SCALES=2, FUNC=USER(1)",
+        "dataset/contradiction",
+        "FUNC",
+        "remove `SCALES`",
+    ),
+    ("PART/3, EXACT=X:Q", "dataset/unknown-word", "Q", "PSI"),
     (
         "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
         "dataset/name-taken",
@@ -149,7 +196,7 @@ fn what_is_missing_from_the_file_is_named() {
     );
     assert_eq!(
         codes(
-            "t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\nGRAPHICS/1, PLANE, RM = 1\nCONTACT/1, IGEOM=1, JGEOM=1, IMPACT\nEND\n"
+            "t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\nGRAPHICS/1, PLANE, RM = 1\nCONTACT/1, IGEOM=1, JGEOM=1, IMPACT, STIFFNESS=1\nEND\n"
         ),
         ["dataset/shape-not-read", "dataset/refers-to-unread", "dataset/refers-to-unread"]
     );
@@ -184,6 +231,23 @@ fn of_two_statements_of_settings_the_last_one_counts() {
     let expected = "INTEGRATOR/\n, GSTIFF\n, SI2\n, ERROR = 1.0E-06\n, HMAX = 0.1\n!\n";
     assert!(written.contains(expected), "{written}");
     assert!(written.contains("OUTPUT/\n, REQSAVE\n, GRSAVE\n!\n"), "{written}");
+}
+
+/// A dataset that a command file names is refused where it is named, before a line of it is run.
+#[test]
+fn a_dataset_that_commands_read_is_told_once() {
+    let desk = Desk::new();
+    let path = desk.put("m.adm", &format!("{HEAD}END\n"));
+    let name = path.display().to_string();
+    let outer =
+        desk.put("outer.cmd", &format!("model create model_name = .m\nfile command read file_name = \"{name}\"\n"));
+    let mut session = quiet();
+    let report = session.read(&outer);
+    let [one] = &report.diagnostics[..] else { panic!("{:#?}", report.diagnostics) };
+    assert_eq!((one.code, report.failed), ("file/dataset", 1));
+    let at = one.primary.as_ref().unwrap().span;
+    assert_eq!(session.sources().slice(at), format!("\"{name}\""));
+    assert!(one.helps[0].text.contains("file adams_data_set read"), "{:?}", one.helps);
 }
 
 /// One complaint about a file of the other kind, and nothing is made of it.
