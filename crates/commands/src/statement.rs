@@ -14,6 +14,7 @@ use crate::{
     known, lookup,
     program::Program,
     tree::{Action, Command, Path},
+    verbs::warn_outside,
     words::did_you_mean,
 };
 
@@ -402,8 +403,10 @@ impl Interpreter {
         let key = CellKey::new(id, cell);
         self.store(key, draft);
         self.recompute(&[key], target)?;
-        if self.database.object(id).class == &crate::macros::CLASS {
-            self.register_macro(id);
+        match self.database.object(id).class.id {
+            "variable" => warn_outside(self, id, target.to(value_span)),
+            "macro" => self.register_macro(id),
+            _ => {}
         }
         Ok(Flow::Next)
     }

@@ -34,6 +34,7 @@ mod undo;
 mod variable;
 
 pub(crate) use file::data_set_text as read_data_set;
+pub(crate) use variable::warn_outside;
 
 /// What runs a verb.
 pub(crate) type Run = fn(&mut Interpreter, &Call) -> Result<Flow, Vec<Diagnostic>>;

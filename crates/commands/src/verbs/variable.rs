@@ -3,7 +3,7 @@
 
 use model::{Array, CellKey, ObjectId, Source, Value};
 use schema::{Count, Dimension, Field, Kind, Names, Quantity, Rule, Verb};
-use text::Diagnostic;
+use text::{Diagnostic, Span};
 
 use super::{VerbEntry, entry};
 use crate::{Interpreter, call::Call, interpreter::Flow, lookup, values::Draft};
@@ -186,7 +186,9 @@ fn fill(interpreter: &mut Interpreter, call: &Call, id: ObjectId) -> Outcome<()>
         changed.push(key);
     }
     interpreter.recompute(&changed, call.span)?;
-    warn_outside(interpreter, id, call);
+    if VALUES.iter().any(|v| call.given.iter().any(|g| &*call.parameters[g.parameter].name == *v)) {
+        warn_outside(interpreter, id, call.span);
+    }
     Ok(())
 }
 
@@ -202,15 +204,11 @@ pub fn limits(database: &model::Database, id: ObjectId) -> Option<(f64, f64)> {
     })
 }
 
-/// Says that a value is outside of what its variable allows; the value is stored.
-fn warn_outside(interpreter: &mut Interpreter, id: ObjectId, call: &Call) {
+/// Says that the value of a variable is outside of what it allows; the value is stored.
+pub(crate) fn warn_outside(interpreter: &mut Interpreter, id: ObjectId, span: Span) {
     let database = &interpreter.database;
     let values = database.numbers(id, "real_value").or_else(|| database.numbers(id, "integer_value"));
-    let Some(values) =
-        values.filter(|_| VALUES.iter().any(|v| call.given.iter().any(|g| &*call.parameters[g.parameter].name == *v)))
-    else {
-        return;
-    };
+    let Some(values) = values else { return };
     let name = database.full_name(id);
     let mut troubles = Vec::new();
     // Relative limits move with the value and always hold.
@@ -232,7 +230,7 @@ fn warn_outside(interpreter: &mut Interpreter, id: ObjectId, call: &Call) {
     for trouble in troubles {
         interpreter.report.diagnostics.push(
             Diagnostic::warning("value/outside-limit", trouble)
-                .at(call.span, "stored all the same")
+                .at(span, "stored all the same")
                 .help("give another value, or switch the limit off with `use_range = no` or `use_allowed_values = no`"),
         );
     }
