@@ -3,13 +3,15 @@
 
 use functions::Resolver;
 use model::{Database, ObjectId, Value};
-use schema::Class;
 use text::Diagnostic;
 
-use super::{Finder, text_of};
+use super::{Finder, Worth, text_of};
 
 /// Codes of what concerns Flexure, not the function.
 const NOT_WRONG: &[&str] = &["function/not-supported", "function/not-finite"];
+
+/// Cells whose expression is over results of a run, not over the state in one.
+const OF_RESULTS: &[&str] = &["text_of_expression"];
 
 /// A function that cannot be used: whose, in which cell, and why.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +34,8 @@ pub fn bad_functions(database: &Database) -> Vec<BadFunction> {
             if text.trim().is_empty() {
                 continue;
             }
-            let diagnostics = troubles(database, model, &text);
+            let mut names = Names { finder: Finder { database, model }, of_results: OF_RESULTS.contains(&name) };
+            let diagnostics = troubles(&mut names, &text);
             if !diagnostics.is_empty() {
                 found.push(BadFunction { object: id, cell: name, diagnostics });
             }
@@ -41,33 +44,40 @@ pub fn bad_functions(database: &Database) -> Vec<BadFunction> {
     found
 }
 
-fn troubles(database: &Database, model: ObjectId, text: &str) -> Vec<Diagnostic> {
+fn troubles(names: &mut Names<'_>, text: &str) -> Vec<Diagnostic> {
     let (tree, mut troubles) = syntax::function::parse(text::FileId(u32::MAX), text, 0);
     troubles.retain(Diagnostic::is_error);
     if troubles.is_empty() {
-        let mut names = Names(Finder { database, model });
-        troubles.extend(functions::compile(&tree, &mut names).err().into_iter().flatten());
+        troubles.extend(functions::compile(&tree, names).err().into_iter().flatten());
     }
     troubles.retain(|d| !NOT_WRONG.contains(&d.code));
     troubles
 }
 
 /// Knows which objects there are, and no state.
-struct Names<'a>(Finder<'a>);
+struct Names<'a> {
+    finder: Finder<'a>,
+    /// Whether names may be those of results.
+    of_results: bool,
+}
 
 impl Resolver for Names<'_> {
     fn marker(&mut self, name: &str) -> Result<u32, String> {
-        self.0.marker(name).map(|id| id.0)
+        self.finder.marker(name).map(|id| id.0)
     }
 
     fn element(&mut self, function: &str, name: &str) -> Result<u32, String> {
-        self.0.element(function, name).map(|id| id.0)
+        self.finder.element(function, name).map(|id| id.0)
     }
 
-    /// A measure may stand for its value in the modeller.
+    /// A measure stands for its value in the modeller.
     fn number(&mut self, name: &str) -> Result<f64, String> {
-        let any = |class: &Class| !class.is("marker") && !class.is("body");
-        let known = self.0.find(name, &any).is_some() || name.matches('.').count() > 2;
-        if known { Ok(1.0) } else { Err(format!("`{name}` is not a number, a constant or a function")) }
+        match self.finder.worth(name) {
+            Ok(Worth::Number(x)) => Ok(x),
+            Ok(Worth::Measured) => Ok(1.0),
+            // `.model.analysis.object.component`, which no model holds before it is run.
+            Err(_) if self.of_results && name.matches('.').count() > 3 => Ok(1.0),
+            Err(reason) => Err(reason),
+        }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use equations::{BodyId, GROUND, Gradient, State, constraints::TimeFunction};
 use functions::{Function, Resolver};
 use model::{Database, FunctionText, ObjectId, Value};
-use schema::{Class, Dimension};
+use schema::{Class, Default, Dimension, Kind};
 use text::Diagnostic;
 
 use crate::lower::Lowering;
@@ -70,6 +70,13 @@ pub fn compile(lowering: &mut Lowering<'_>, owner: ObjectId, text: &str) -> Opti
     Some(Compiled { function, factors, time: 1.0 / lowering.factor(Dimension::TIME) })
 }
 
+/// What a name is worth where a function wants a number.
+enum Worth {
+    Number(f64),
+    /// The value of a measure, which changes in a run.
+    Measured,
+}
+
 /// Finds the objects that the functions of a model name.
 #[derive(Clone, Copy)]
 struct Finder<'a> {
@@ -95,8 +102,54 @@ impl Finder<'_> {
             return database.subtree(model).into_iter().find(|id| fits(database.object(*id).class) && has_it(id));
         }
         let steps = model::split_name(name.strip_prefix('.').unwrap_or(name));
-        let full = if name.starts_with('.') { database.descend_to(None, &steps, fits) } else { None };
-        full.or_else(|| database.descend_to(Some(model), &steps, fits))
+        self.descend(name, &steps, fits)
+    }
+
+    /// The object at the end of the steps of a name: a full one if it begins with a dot.
+    fn descend(&self, name: &str, steps: &[String], fits: &dyn Fn(&Class) -> bool) -> Option<ObjectId> {
+        let full = if name.starts_with('.') { self.database.descend_to(None, steps, fits) } else { None };
+        full.or_else(|| self.database.descend_to(Some(self.model), steps, fits))
+    }
+
+    /// What a name is worth as a number: a design variable's value, that of a measure, or the number in a cell
+    /// of an object, in model units. The error says what the name means instead.
+    fn worth(&self, name: &str) -> Result<Worth, String> {
+        let none = |more: &str| Err(format!("`{name}` is not a number, a constant or a function{more}"));
+        if let Some(variable) = self.find_itself(name, &|class| class.is("variable")) {
+            let cells = ["real_value", "integer_value"];
+            return match cells.into_iter().find_map(|cell| self.database.number(variable, cell)) {
+                Some(x) => Ok(Worth::Number(x)),
+                None => none("; it is a variable that holds no number"),
+            };
+        }
+        if self.find_itself(name, &|class| class.is("measure")).is_some() {
+            return Ok(Worth::Measured);
+        }
+        if self.find_itself(name, &|class| class.id == "solver_variable").is_some() {
+            return none(&format!("; VARVAL({name}) is its value"));
+        }
+        if self.find_itself(name, &|_| true).is_some() {
+            return none(&self.instead(name));
+        }
+        let steps = model::split_name(name.strip_prefix('.').unwrap_or(name));
+        let Some((cell, owner)) = steps.split_last() else { return none("") };
+        let Some(owner) = self.descend(name, owner, &|_| true) else { return none("") };
+        let class = self.database.object(owner).class;
+        let word = crate::lower::word_of(self.database, owner);
+        let Some(field) = class.fields().find(|field| field.name.eq_ignore_ascii_case(cell)) else {
+            return none(&format!("; a {word} has no `{cell}`"));
+        };
+        if !matches!(field.kind, Kind::Real | Kind::Integer) {
+            return none(&format!("; `{cell}` of a {word} is no number"));
+        }
+        match (self.database.value(owner, field.name).is_some(), field.default) {
+            (true, _) => match self.database.number(owner, field.name) {
+                Some(x) => Ok(Worth::Number(x)),
+                None => none(&format!("; `{cell}` of that {word} is more than one number")),
+            },
+            (false, Default::Number(x)) => Ok(Worth::Number(x)),
+            (false, _) => none(&format!("; `{cell}` of that {word} is not given")),
+        }
     }
 
     /// What else a name means, for the complaint that it does not mean what is wanted.
@@ -149,12 +202,10 @@ impl Resolver for Names<'_, '_> {
     }
 
     fn number(&mut self, name: &str) -> Result<f64, String> {
-        let variable = self.finder().find(name, &|class| class.is("variable"));
-        let value = variable.and_then(|v| {
-            let cells = ["real_value", "integer_value"];
-            cells.into_iter().find_map(|cell| self.lowering.database.number(v, cell))
-        });
-        value.ok_or_else(|| format!("`{name}` is not a number, a constant or a function"))
+        match self.finder().worth(name)? {
+            Worth::Number(x) => Ok(x),
+            Worth::Measured => Err(format!("the value of the measure `{name}` is not computed in functions yet")),
+        }
     }
 }
 
