@@ -25,4 +25,4 @@ pub mod verify;
 pub use lower::{LoadId, Lowered, Options, active_objects, lower};
 pub use output::Outputs;
 pub use registry::registry;
-pub use verify::{Finding, verify, verify_report};
+pub use verify::{Finding, Verified, verify};

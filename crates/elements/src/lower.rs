@@ -55,13 +55,13 @@ pub enum LoadId {
 
 /// Turns a model into equations. All errors found are returned, not the first one.
 pub fn lower(database: &Database, model: ObjectId, options: Options) -> Result<Lowered, Vec<Diagnostic>> {
-    let mut lowering = Lowering::new(database, model, options);
-    lowering.check_units();
-    for stage in [Stage::Body, Stage::Mechanics, Stage::Output] {
-        lowering.lower_stage(stage);
-    }
-    lowering.report_the_rest();
-    lowering.finish()
+    Lowering::new(database, model, options).run()
+}
+
+/// The same for a model that is looked at: nothing is recorded but what requests and measures ask for.
+pub fn lower_to_look(database: &Database, model: ObjectId, options: Options) -> Result<Lowered, Vec<Diagnostic>> {
+    let options = Options { record_all: false, record_beams: false, ..options };
+    Lowering { only_looks: true, ..Lowering::new(database, model, options) }.run()
 }
 
 /// The work in progress: what elements see when they lower themselves.
@@ -69,6 +69,8 @@ pub struct Lowering<'a> {
     pub database: &'a Database,
     pub model: ObjectId,
     pub options: Options,
+    /// Nothing is recorded beside what requests and measures ask for.
+    pub(crate) only_looks: bool,
     pub diagnostics: Vec<Diagnostic>,
     pub gravity: DVec3,
     /// Active objects of the model in order of creation.
@@ -93,6 +95,7 @@ impl<'a> Lowering<'a> {
             database,
             model,
             options,
+            only_looks: false,
             diagnostics: Vec::new(),
             gravity: DVec3::ZERO,
             objects: active_objects(database, model),
@@ -107,6 +110,15 @@ impl<'a> Lowering<'a> {
             columns: Vec::new(),
             wanted: Vec::new(),
         }
+    }
+
+    fn run(mut self) -> Result<Lowered, Vec<Diagnostic>> {
+        self.check_units();
+        for stage in [Stage::Body, Stage::Mechanics, Stage::Output] {
+            self.lower_stage(stage);
+        }
+        self.report_the_rest();
+        self.finish()
     }
 
     // ---- what elements use ----

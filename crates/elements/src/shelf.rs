@@ -4,7 +4,12 @@
 use model::{Database, ObjectId};
 use schema::Class;
 
-use crate::{bodies, forces, joints, lower::Lowering, output, verify::Finding};
+use crate::{
+    bodies, forces, joints,
+    lower::{Lowering, Options},
+    output,
+    verify::Finding,
+};
 
 /// When an element is lowered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,13 +22,15 @@ pub enum Stage {
     Output,
 }
 
+/// Adds what is doubtful about one object that is lowered with these options.
+pub type Check = fn(&Database, ObjectId, &Options, &mut Vec<Finding>);
+
 /// An element that takes part in a simulation.
 pub struct Element {
     pub class: &'static Class,
     pub stage: Stage,
     pub lower: fn(&mut Lowering<'_>, ObjectId),
-    /// Adds what is doubtful about one object.
-    pub verify: Option<fn(&Database, ObjectId, &mut Vec<Finding>)>,
+    pub verify: Option<Check>,
 }
 
 const fn body(class: &'static Class, lower: fn(&mut Lowering<'_>, ObjectId)) -> Element {

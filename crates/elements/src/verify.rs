@@ -1,7 +1,8 @@
 //! What is doubtful about a model before it is solved: findings of each element, and the report of
 //! degrees of freedom in the words of Adams.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Display;
 
 use equations::System;
 use model::{Database, ObjectId};
@@ -10,7 +11,7 @@ use text::Diagnostic;
 
 use crate::{
     forces::beam::lower::SHEAR_IGNORED,
-    lower::{Lowered, Options, active_objects, lower},
+    lower::{Lowered, Options, active_objects, lower_to_look},
     shelf,
 };
 
@@ -36,37 +37,70 @@ impl Finding {
     }
 }
 
-/// Everything doubtful about a model: what elements find in their data, what lowering reports, and
-/// parts that can move without mass.
-pub fn verify(database: &Database, model: ObjectId) -> Vec<Finding> {
+/// What verifying a model found.
+pub struct Verified {
+    pub findings: Vec<Finding>,
+    /// The model as equations, unless it has errors.
+    pub lowered: Option<Lowered>,
+    /// What the report says before its verdict.
+    lines: Vec<String>,
+    /// Errors that the verdict names at least.
+    errors: usize,
+}
+
+/// Everything doubtful about a model that is lowered with these options: what elements find in their data,
+/// what lowering reports, and parts that can move without mass.
+pub fn verify(database: &Database, model: ObjectId, options: Options) -> Verified {
     let mut findings = Vec::new();
     for object in active_objects(database, model) {
         if let Some(check) = shelf::element(database.object(object).class).and_then(|e| e.verify) {
             let first = findings.len();
-            check(database, object, &mut findings);
+            check(database, object, &options, &mut findings);
             findings[first..].iter_mut().for_each(|finding| finding.object = Some(object));
         }
     }
-    let reported = match lower(database, model, Options::default()) {
+    let (lowered, reported, lines) = match lower_to_look(database, model, options) {
         Ok(mut lowered) => {
-            let mut reported = lowered.diagnostics.clone();
-            reported.extend(massless(&mut lowered));
-            reported
+            let counts = Counts::of(&mut lowered);
+            let massless = massless(&lowered, &counts);
+            let lines = counts.lines(&database.full_name(model), &massless);
+            let reported = lowered.diagnostics.iter().cloned().chain(massless).collect();
+            (Some(lowered), reported, lines)
         }
-        Err(diagnostics) => diagnostics,
+        Err(diagnostics) => {
+            let errors = diagnostics.iter().filter(|d| d.is_error());
+            let lines = errors.map(|d| format!("ERROR:  {}", d.message)).collect();
+            (None, diagnostics, lines)
+        }
     };
-    for diagnostic in reported {
-        let known = findings.iter().any(|f| f.diagnostic.message == diagnostic.message);
-        if !known && (diagnostic.severity != text::Severity::Note || diagnostic.code == SHEAR_IGNORED) {
-            findings.push(Finding::new(diagnostic));
-        }
+    let mut known: BTreeSet<String> = findings.iter().map(|f| f.diagnostic.message.clone()).collect();
+    let told = |d: &Diagnostic| d.severity != text::Severity::Note || d.code == SHEAR_IGNORED;
+    let new = reported.into_iter().filter(|d| told(d) && known.insert(d.message.clone()));
+    findings.extend(new.map(Finding::new));
+    let mut report = vec![format!("VERIFY MODEL: {}", database.full_name(model)), String::new()];
+    report.extend(lines);
+    Verified { findings, errors: usize::from(lowered.is_none()), lowered, lines: report }
+}
+
+impl Verified {
+    /// The report of `model verify` in Adams' words. Models that cannot be lowered give the errors, and only
+    /// one whose findings hold no error is called verified.
+    pub fn report(&self) -> Vec<String> {
+        let mut lines = self.lines.clone();
+        lines.extend([String::new(), verdict(&self.findings, self.errors)]);
+        lines
     }
-    findings
+}
+
+/// The command that gives cells of an object other values, in the words of its class.
+pub fn modify(database: &Database, object: ObjectId, values: impl Display) -> String {
+    let making = database.object(object).class.groups.iter().find(|group| group.creates);
+    let (command, parameter) = making.map_or(("", ""), |group| (group.command, group.object));
+    format!("{} {parameter}={} {values}", command.replacen(" create ", " modify ", 1), database.full_name(object))
 }
 
 /// Parts without mass that the constraints leave free to move.
-fn massless(lowered: &mut Lowered) -> Vec<Diagnostic> {
-    let counts = Counts::of(lowered);
+fn massless(lowered: &Lowered, counts: &Counts) -> Vec<Diagnostic> {
     if counts.degrees_of_freedom <= 0 {
         return Vec::new();
     }
@@ -117,6 +151,36 @@ impl Counts {
             degrees_of_freedom: gruebler + redundant.len() as i64,
             redundant,
         }
+    }
+
+    /// What the report says of a model, in Adams' words.
+    fn lines(&self, name: &str, massless: &[Diagnostic]) -> Vec<String> {
+        let mut lines = vec![format!("{} Gruebler Count (approximate degrees of freedom)", self.gruebler)];
+        lines.push(plural(self.parts, "Moving Part", " (not including ground)"));
+        if self.point_masses > 0 {
+            lines.push(plural(self.point_masses, "Point Mass", ""));
+        }
+        // Joints first, then what drives them.
+        let (motions, joints): (Vec<_>, Vec<_>) = self.kinds.iter().partition(|(kind, _)| kind.as_str() == "Motion");
+        lines.extend(joints.into_iter().chain(motions).map(|(kind, count)| plural(*count, kind, "")));
+        lines.push(String::new());
+        lines.extend(massless.iter().flat_map(|diagnostic| diagnostic.adams_text.iter().cloned()));
+        lines.push(format!("{} Degrees of Freedom for {name}", self.degrees_of_freedom));
+        lines.push(String::new());
+        match self.redundant.len() {
+            0 => lines.push("There are no redundant constraint equations.".into()),
+            1 => lines.push("There is 1 redundant constraint equation.".into()),
+            n => lines.push(format!("There are {n} redundant constraint equations.")),
+        }
+        if !self.redundant.is_empty() {
+            lines.push(String::new());
+            let titles = self.redundant.iter().map(|(name, kind, words)| (format!("{name} ({kind})"), words.clone()));
+            let mut table = vec![("This constraint:".to_string(), "unnecessarily removes this DOF:".to_string())];
+            table.extend(titles);
+            let width = table.iter().map(|(left, _)| left.chars().count()).max().unwrap_or(0) + 4;
+            lines.extend(table.into_iter().map(|(left, right)| format!("{left:width$}{right}")));
+        }
+        lines
     }
 }
 
@@ -180,52 +244,6 @@ impl Reduced {
         self.of_pivot.insert(pivot, self.rows.len());
         self.rows.push(row);
     }
-}
-
-/// The report of `model verify` in Adams' words. Models that cannot be lowered give the errors, and only one
-/// whose findings hold no error is called verified.
-pub fn verify_report(database: &Database, model: ObjectId, findings: &[Finding]) -> Vec<String> {
-    let name = database.full_name(model);
-    let mut lines = vec![format!("VERIFY MODEL: {name}"), String::new()];
-    let mut lowered = match lower(database, model, Options::default()) {
-        Ok(lowered) => lowered,
-        Err(diagnostics) => {
-            lines.extend(diagnostics.iter().filter(|d| d.is_error()).map(|d| format!("ERROR:  {}", d.message)));
-            lines.extend([String::new(), verdict(findings, 1)]);
-            return lines;
-        }
-    };
-    let counts = Counts::of(&mut lowered);
-    lines.push(format!("{} Gruebler Count (approximate degrees of freedom)", counts.gruebler));
-    lines.push(plural(counts.parts, "Moving Part", " (not including ground)"));
-    if counts.point_masses > 0 {
-        lines.push(plural(counts.point_masses, "Point Mass", ""));
-    }
-    // Joints first, then what drives them.
-    let (motions, joints): (Vec<_>, Vec<_>) = counts.kinds.iter().partition(|(kind, _)| kind.as_str() == "Motion");
-    lines.extend(joints.into_iter().chain(motions).map(|(kind, count)| plural(*count, kind, "")));
-    lines.push(String::new());
-    for diagnostic in massless(&mut lowered) {
-        lines.extend(diagnostic.adams_text);
-    }
-    lines.push(format!("{} Degrees of Freedom for {name}", counts.degrees_of_freedom));
-    lines.push(String::new());
-    match counts.redundant.len() {
-        0 => lines.push("There are no redundant constraint equations.".into()),
-        1 => lines.push("There is 1 redundant constraint equation.".into()),
-        n => lines.push(format!("There are {n} redundant constraint equations.")),
-    }
-    if !counts.redundant.is_empty() {
-        lines.push(String::new());
-        let titles = counts.redundant.iter().map(|(name, kind, words)| (format!("{name} ({kind})"), words.clone()));
-        let mut table = vec![("This constraint:".to_string(), "unnecessarily removes this DOF:".to_string())];
-        table.extend(titles);
-        let width = table.iter().map(|(left, _)| left.chars().count()).max().unwrap_or(0) + 4;
-        lines.extend(table.into_iter().map(|(left, right)| format!("{left:width$}{right}")));
-    }
-    lines.push(String::new());
-    lines.push(verdict(findings, 0));
-    lines
 }
 
 /// The last line: Adams' own words, which knows no traps, only for a model without errors.

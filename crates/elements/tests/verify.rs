@@ -3,12 +3,16 @@
 mod common;
 
 use common::{Build, codes};
-use flexure_elements::{Finding, verify, verify_report};
+use flexure_elements::{Finding, Options, verify};
 use model::ObjectId;
 use schema::UnitSystem;
 
 fn found(b: &Build) -> Vec<Finding> {
-    verify(&b.database, b.model)
+    verify(&b.database, b.model, Options::default()).findings
+}
+
+fn report(b: &Build) -> Vec<String> {
+    verify(&b.database, b.model, Options::default()).report()
 }
 
 fn found_codes(b: &Build) -> Vec<&'static str> {
@@ -113,7 +117,7 @@ fn a_four_bar_is_reported_in_the_words_of_adams() {
         let j = b.marker(around[n], &format!("j{n}"), corner);
         b.joint("joint_revolute", &format!("JOINT_{n}"), i, j);
     }
-    let report = verify_report(&b.database, b.model, &found(&b));
+    let report = report(&b);
     let lines: Vec<&str> = report.iter().map(String::as_str).collect();
     assert_eq!(
         lines[..8],
@@ -138,12 +142,12 @@ fn a_four_bar_is_reported_in_the_words_of_adams() {
 fn a_model_with_an_error_is_not_called_verified() {
     for x in [-5000.0, 5000.0] {
         let (mut b, beam) = beam_with_i_at(x, 5000.0);
-        let verdict = |b: &Build| verify_report(&b.database, b.model, &found(b)).pop().unwrap();
+        let verdict = |b: &Build| report(b).pop().unwrap();
         let expected = if x < 0.0 { "Model not verified: 1 error" } else { "Model verified successfully" };
         assert_eq!(verdict(&b), expected);
         // This one cannot be lowered at all.
         b.set(beam, "youngs_modulus", -1.0);
-        let lines = verify_report(&b.database, b.model, &found(&b));
+        let lines = report(&b);
         assert!(lines.iter().any(|line| line.starts_with("ERROR:  `youngs_modulus`")), "{lines:?}");
         assert!(verdict(&b).starts_with("Model not verified: "), "{lines:?}");
     }

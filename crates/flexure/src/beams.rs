@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use elements::forces::beam;
 use elements::output::member::COLUMNS;
 use model::{Database, ObjectId};
 use results::Table;
@@ -120,7 +121,7 @@ pub(crate) fn from_table(
     table: &Table,
     time: Option<f64>,
 ) -> Result<BeamsReport, Vec<Diagnostic>> {
-    let beams = active_beams(database, model);
+    let beams = beam::lower::active(database, model);
     if beams.is_empty() {
         let name = database.full_name(model);
         return Err(vec![
@@ -161,13 +162,6 @@ pub(crate) fn from_table(
     Ok(report)
 }
 
-/// The beams that take part in a simulation, in order of creation.
-fn active_beams(database: &Database, model: ObjectId) -> Vec<ObjectId> {
-    let mut active = elements::active_objects(database, model);
-    active.retain(|&id| database.object(id).class.id == "beam");
-    active
-}
-
 /// The row of a table nearest to a time in its unit, the last one without.
 fn row(table: &Table, time: Option<f64>, unit: &str) -> Result<usize, Vec<Diagnostic>> {
     let times = table.series.first().map_or(&[][..], |s| s.values.as_slice());
@@ -196,7 +190,7 @@ fn state(database: &Database, beam: ObjectId, count: usize, table: &Table, row: 
         *value = *table.get(&format!("{short}.{column}{end}"))?.values.get(row)?;
     }
     let [n, vy, vz, tj, myj, mzj, ti, myi, mzi, angle, energy, power, residual] = values;
-    let section = elements::forces::beam::lower::section(database, beam);
+    let section = beam::lower::section(database, beam);
     let units = database.units();
     Some(BeamState {
         name: database.full_name(beam),
@@ -211,9 +205,9 @@ fn state(database: &Database, beam: ObjectId, count: usize, table: &Table, row: 
     })
 }
 
-/// The part a marker cell of a beam ends on.
-fn end_part(database: &Database, beam: ObjectId, cell: &str) -> Option<ObjectId> {
-    let mut next = database.reference(beam, cell);
+/// The part that a marker is on.
+fn part_of(database: &Database, marker: Option<ObjectId>) -> Option<ObjectId> {
+    let mut next = marker;
     while let Some(id) = next {
         let object = database.get(id)?;
         if object.class.is("body") {
@@ -229,7 +223,10 @@ fn end_part(database: &Database, beam: ObjectId, cell: &str) -> Option<ObjectId>
 fn chains(database: &Database, beams: &[ObjectId]) -> Vec<Vec<ChainLink>> {
     let ends: Vec<[Option<ObjectId>; 2]> = beams
         .iter()
-        .map(|&beam| ["j_marker_name", "i_marker_name"].map(|cell| end_part(database, beam, cell)))
+        .map(|&beam| {
+            let [i, j] = beam::lower::ends(database, beam);
+            [j, i].map(|marker| part_of(database, marker))
+        })
         .collect();
     let mut at_part: BTreeMap<ObjectId, Vec<(usize, usize)>> = BTreeMap::new();
     for (beam, ends) in ends.iter().enumerate() {

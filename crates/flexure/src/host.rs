@@ -55,9 +55,9 @@ impl Host for EngineHost {
     }
 
     fn verify(&mut self, database: &Database, model: ObjectId) -> (Vec<String>, Vec<Diagnostic>) {
-        let findings = elements::verify(database, model);
-        let report = elements::verify_report(database, model, &findings);
-        (report, findings.into_iter().map(|f| f.diagnostic).collect())
+        let lowering = lock(&self.0).lowering;
+        let found = crate::verify::verify(database, model, lowering);
+        (found.report, found.findings.into_iter().map(|f| f.diagnostic).collect())
     }
 
     fn generate_ids(&mut self, database: &mut Database, model: ObjectId) -> Result<(), Vec<Diagnostic>> {

@@ -20,6 +20,7 @@ mod settings;
 mod simulate;
 mod start;
 mod support;
+mod verify;
 mod window;
 
 pub use attributes::{Attribute, AttributeValue};

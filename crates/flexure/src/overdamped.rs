@@ -6,15 +6,20 @@
 
 use std::collections::BTreeMap;
 
-use elements::{Finding, LoadId};
+use elements::forces::beam::{
+    lower::{active, ratio_in_use},
+    schema::DAMPING_RATIO,
+};
+use elements::verify::modify;
+use elements::{Finding, LoadId, Lowered};
 use equations::System;
 use model::{Database, ObjectId};
 use schema::Dimension;
-use solver::{Dae, Look, LowMode, LowestModes, SystemState};
+use solver::{Dae, Failure, Look, LowMode, LowestModes, SystemState};
 use text::Diagnostic;
 
 use crate::modes::at_rest;
-use crate::start::prepare;
+use crate::start::{failed, prepare_lowered};
 
 /// Vectors to iterate: six rigid motions and some more at first; many if a model falls apart.
 const VECTORS: [usize; 2] = [12, 60];
@@ -31,27 +36,26 @@ struct Damped {
     ratio: f64,
 }
 
-/// A finding for every group of damped beams that keeps all modes in which it takes part from swinging.
-pub(crate) fn find(database: &Database, model: ObjectId) -> Vec<Finding> {
+/// A finding for every group of damped beams that keeps all modes in which it takes part from swinging, and a
+/// note for every group of which that was not found out.
+pub(crate) fn find(database: &Database, model: ObjectId, lowered: Lowered) -> Vec<Finding> {
     let groups = groups(database, model);
     if groups.is_empty() {
         return Vec::new();
     }
-    look_at(database, model, &groups).unwrap_or_default()
+    look_at(database, model, lowered, &groups).unwrap_or_else(|troubles| {
+        let why = troubles.first().map_or("", |trouble| trouble.message.as_str());
+        groups.iter().map(|group| unknown(database, group, format!("the modes cannot be computed: {why}"))).collect()
+    })
 }
 
 /// Active beams with a ratio that is used, by ratios of one size, the largest first.
 fn groups(database: &Database, model: ObjectId) -> Vec<Vec<Damped>> {
     let damped = |beam: ObjectId| {
-        let ratio = database.si(beam, "damping_ratio").filter(|ratio| *ratio > 0.0 && ratio.is_finite())?;
-        // The terms of a matrix win over the ratio.
-        database.value(beam, "matrix_of_damping_terms").is_none().then_some(Damped { beam, ratio })
+        let ratio = ratio_in_use(database, beam).filter(|ratio| *ratio > 0.0 && ratio.is_finite())?;
+        Some(Damped { beam, ratio })
     };
-    let mut all: Vec<Damped> = elements::active_objects(database, model)
-        .into_iter()
-        .filter(|&id| database.object(id).class.id == "beam")
-        .filter_map(damped)
-        .collect();
+    let mut all: Vec<Damped> = active(database, model).into_iter().filter_map(damped).collect();
     all.sort_by(|p, q| q.ratio.total_cmp(&p.ratio).then(p.beam.cmp(&q.beam)));
     let mut groups: Vec<Vec<Damped>> = Vec::new();
     for beam in all {
@@ -63,25 +67,29 @@ fn groups(database: &Database, model: ObjectId) -> Vec<Vec<Damped>> {
     groups
 }
 
-/// `None` if the model cannot be lowered or linearised, which is reported elsewhere.
-fn look_at(database: &Database, model: ObjectId, groups: &[Vec<Damped>]) -> Option<Vec<Finding>> {
-    let mut prepared = prepare(database, model, None, elements::Options::default()).ok()?;
+/// Errors if there is no state about which the model could be linearised.
+fn look_at(
+    database: &Database,
+    model: ObjectId,
+    lowered: Lowered,
+    groups: &[Vec<Damped>],
+) -> Result<Vec<Finding>, Vec<Diagnostic>> {
+    let mut prepared = prepare_lowered(database, model, None, lowered)?;
     let loads = std::mem::take(&mut prepared.lowered.loads);
     let (system, state) = (&mut prepared.lowered.system, &mut prepared.state);
-    at_rest(system, state).ok()?;
-    let mut search = LowestModes::new(system, state).ok()?;
+    let failed = |failure: Failure| vec![failed(&failure)];
+    at_rest(system, state).map_err(failed)?;
+    let mut search = LowestModes::new(system, state).map_err(failed)?;
     let mut findings = Vec::new();
     for group in groups {
-        match lowest(&mut search, system, state, group, &loads)? {
-            Lowest::Creeps(mode, taken) => findings.push(overdamped(database, group, &mode, taken)),
-            Lowest::Swings => continue,
-            Lowest::Unknown => findings.push(unknown(database, group)),
-        }
-        if let (Some(finding), Some(first)) = (findings.last_mut(), group.first()) {
-            finding.object = Some(first.beam);
-        }
+        findings.push(match lowest(&mut search, system, state, group, &loads) {
+            Ok(Lowest::Creeps(mode, taken)) => overdamped(database, group, &mode, taken),
+            Ok(Lowest::Swings) => continue,
+            Ok(Lowest::Unknown(why)) => unknown(database, group, why),
+            Err(failure) => unknown(database, group, format!("the search for the lowest modes failed: {failure}")),
+        });
     }
-    Some(findings)
+    Ok(findings)
 }
 
 /// How the lowest modes move in which a group of beams takes part.
@@ -89,8 +97,8 @@ enum Lowest {
     Swings,
     /// None of them swings: the lowest, and the part of its critical damping that the beams take.
     Creeps(LowMode, f64),
-    /// Not among those that were found.
-    Unknown,
+    /// Not found, and why.
+    Unknown(String),
 }
 
 fn lowest(
@@ -99,32 +107,45 @@ fn lowest(
     state: &SystemState,
     group: &[Damped],
     loads: &BTreeMap<ObjectId, LoadId>,
-) -> Option<Lowest> {
+) -> Result<Lowest, Failure> {
+    // Of a mode below this frequency the beams take less than its critical damping.
+    let limit = group.first().map_or(0.0, |largest| 2.0 / largest.ratio);
+    let mut why = String::new();
     for vectors in VECTORS {
-        let found = search
-            .find(vectors, |mode| {
-                let beams = Share::of(system, state, mode, group, loads);
-                match () {
-                    () if beams.energy < PART => Look::Other,
-                    () if beams.critical < 1.0 || mode.damping_ratio < 1.0 => Look::Enough,
-                    () => Look::Wanted,
-                }
-            })
-            .ok()?;
+        let found = search.find(vectors, |mode| {
+            let beams = Share::of(system, state, mode, group, loads);
+            match () {
+                () if beams.energy < PART => Look::Other,
+                () if beams.critical < 1.0 || mode.damping_ratio < 1.0 => Look::Enough(limit),
+                () => Look::Wanted,
+            }
+        })?;
         if found.enough {
-            return Some(Lowest::Swings);
+            return Ok(Lowest::Swings);
         }
+        let settled = found.settled;
         if let Some(mode) = found.lowest.and_then(|at| found.modes.into_iter().nth(at)) {
             let taken = Share::of(system, state, &mode, group, loads).critical;
             // What the iteration met on its way was no mode yet.
-            let swings = taken < 1.0 || mode.damping_ratio < 1.0;
-            return Some(if swings { Lowest::Swings } else { Lowest::Creeps(mode, taken) });
+            if taken < 1.0 || mode.damping_ratio < 1.0 {
+                return Ok(Lowest::Swings);
+            }
+            if settled {
+                return Ok(Lowest::Creeps(mode, taken));
+            }
+            why = format!(
+                "the search for the lowest modes did not end: at {:.4} rad/s the lowest of them, without damping, still \
+                 became lower",
+                mode.frequency
+            );
+            continue;
         }
         if vectors >= system.velocities() {
-            return Some(Lowest::Swings);
+            return Ok(Lowest::Swings);
         }
+        why = format!("the beam has no part in the {vectors} lowest motions of the model");
     }
-    Some(Lowest::Unknown)
+    Ok(Lowest::Unknown(why))
 }
 
 /// What beams have of a mode.
@@ -157,26 +178,31 @@ impl Share {
     }
 }
 
-/// The beams of a group in a sentence, with the verb.
-fn take(database: &Database, group: &[Damped]) -> String {
+/// The beams of a group in a sentence.
+fn beams(database: &Database, group: &[Damped]) -> String {
     let name = group.first().map(|first| database.full_name(first.beam)).unwrap_or_default();
     match group.len() {
-        1 => format!("beam `{name}` takes"),
-        n => format!("beam `{name}` and {} more take", n - 1),
+        1 => format!("beam `{name}`"),
+        n => format!("beam `{name}` and {} more", n - 1),
     }
 }
 
-fn unknown(database: &Database, group: &[Damped]) -> Finding {
-    let name = group.first().map(|first| database.full_name(first.beam)).unwrap_or_default();
-    Finding::new(
-        Diagnostic::new(
-            text::Severity::Note,
-            "beam/damping-not-looked-at",
-            format!("whether `damping_ratio` of beam `{name}` keeps it from swinging was not found out"),
-        )
-        .note(format!("the beam has no part in the {} lowest motions of the model", VECTORS[1]))
-        .help("`flexure modes` lists all modes with their damping"),
-    )
+/// A finding about a group, by its first beam.
+fn about(group: &[Damped], diagnostic: Diagnostic) -> Finding {
+    Finding { object: group.first().map(|first| first.beam), ..Finding::new(diagnostic) }
+}
+
+fn unknown(database: &Database, group: &[Damped], why: String) -> Finding {
+    let them = if group.len() > 1 { "them" } else { "it" };
+    let message = format!(
+        "whether the `damping_ratio` of {} keeps {them} from swinging was not found out",
+        beams(database, group)
+    );
+    let diagnostic = Diagnostic::new(text::Severity::Note, "beam/damping-not-looked-at", message)
+        .note(why)
+        .note("a damping far too large, as by a modal damping ratio typed where a time is wanted, would not be seen")
+        .help("`flexure modes` lists all modes with their damping");
+    about(group, diagnostic)
 }
 
 fn overdamped(database: &Database, group: &[Damped], mode: &LowMode, taken: f64) -> Finding {
@@ -186,9 +212,13 @@ fn overdamped(database: &Database, group: &[Damped], mode: &LowMode, taken: f64)
     let largest = group.first().map_or(0.0, |first| typed(first.ratio));
     // The slow one of the two real roots, without the difference of nearly equal numbers.
     let creeps = w / (zeta + (zeta * zeta - 1.0).sqrt());
+    let take = if group.len() > 1 { "take" } else { "takes" };
     let diagnostic = Diagnostic::warning(
         "beam/overdamped",
-        format!("no mode in which {} part swings: the `damping_ratio` is {largest} {unit}", take(database, group)),
+        format!(
+            "no mode in which {} {take} part swings: the `damping_ratio` is {largest} {unit}",
+            beams(database, group)
+        ),
     )
     .note(format!(
         "the lowest of these modes, {w:.4} rad/s without damping, has {zeta:.4} of its critical damping, {taken:.4} by \
@@ -196,23 +226,22 @@ fn overdamped(database: &Database, group: &[Damped], mode: &LowMode, taken: f64)
     ))
     .note("damping_ratio is a time: a mode of w rad/s gets the modal damping ratio damping_ratio * w / 2")
     .help(format!("for a modal damping of 1 percent of that mode give {:.4e} {unit}", 0.02 / w / factor));
-    let computed = group.iter().any(|d| database.cell(d.beam, "damping_ratio").is_some_and(model::Cell::is_expression));
+    let computed = group.iter().any(|d| database.cell(d.beam, DAMPING_RATIO).is_some_and(model::Cell::is_expression));
     if largest >= 1.0 || computed {
         let why = if computed {
             "the number comes from an expression"
         } else {
             "a modal damping ratio is below 1, so that the number is none"
         };
-        return Finding::new(diagnostic.note(format!("no fix is offered: {why}")));
+        return about(group, diagnostic.note(format!("no fix is offered: {why}")));
     }
     let commands: Vec<String> = group
         .iter()
         .map(|Damped { beam, ratio }| {
-            let name = database.full_name(*beam);
             let time = 2.0 * typed(*ratio) / w / factor;
-            format!("force modify element_like beam beam_name={name} damping_ratio={time:e}")
+            modify(database, *beam, format_args!("{DAMPING_RATIO}={time:e}"))
         })
         .collect();
-    Finding::new(diagnostic.note("the fix takes the number for the modal damping ratio of that mode"))
+    about(group, diagnostic.note("the fix takes the number for the modal damping ratio of that mode"))
         .fixed_by(commands.join("\n"))
 }

@@ -392,13 +392,8 @@ impl Session {
     /// Degrees of freedom, redundant constraints, and the traps.
     pub fn verify(&self) -> Verification {
         let Some(model) = self.model() else { return Verification::default() };
-        let mut findings = elements::verify(self.database(), model);
-        findings.extend(crate::overdamped::find(self.database(), model));
-        if self.nonlinear_beams_shear() {
-            findings.retain(|f| f.diagnostic.code != elements::forces::beam::lower::SHEAR_IGNORED);
-        }
-        let report = elements::verify_report(self.database(), model, &findings);
-        Verification { report, findings }
+        let lowering = self.engine().lowering;
+        crate::verify::verify(self.database(), model, lowering)
     }
 
     /// Executes the commands that mend findings.

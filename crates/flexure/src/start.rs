@@ -26,7 +26,16 @@ pub(crate) fn prepare(
     from: Option<SystemState>,
     lowering: Options,
 ) -> Result<Prepared, Vec<Diagnostic>> {
-    let mut lowered = elements::lower(database, model, lowering)?;
+    prepare_lowered(database, model, from, elements::lower(database, model, lowering)?)
+}
+
+/// The same for a model that was lowered already.
+pub(crate) fn prepare_lowered(
+    database: &Database,
+    model: ObjectId,
+    from: Option<SystemState>,
+    mut lowered: Lowered,
+) -> Result<Prepared, Vec<Diagnostic>> {
     let system = &mut lowered.system;
     system.set_length_unit(database.units().length.si);
     let (q, v) = system.initial_state();

@@ -18,27 +18,31 @@ pub struct LowMode {
 }
 
 /// What a search thinks of an elastic motion that it meets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Look {
     /// Not what is looked for.
     Other,
     /// The lowest of these is wanted.
     Wanted,
-    /// Nothing more need be known.
-    Enough,
+    /// Nothing more need be known, if it is a motion of its own or a mixture of modes below this frequency,
+    /// rad/s, alone.
+    Enough(f64),
 }
 
 /// What a search found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// The lowest wanted one is converged, and so are those below it; the others are about right. By
-    /// rising frequency.
+    /// If the search is settled, the lowest wanted one is converged, and so are those below it; the others are
+    /// about right. By rising frequency.
     pub modes: Vec<LowMode>,
     /// Index of the lowest wanted one; none if none of the motions was.
     pub lowest: Option<usize>,
     /// Whether a motion was enough, which ended the search. It need not be a mode yet, but the lowest
     /// elastic frequency is not above its frequency (Rayleigh's principle).
     pub enough: bool,
+    /// Whether the lowest wanted one did not change any more. If it did, its frequency is not above the one
+    /// that is given.
+    pub settled: bool,
 }
 
 /// Stiffness against mass of a rigid motion, as a share of the largest: what rounding leaves of zero.
@@ -50,6 +54,9 @@ const ABOUT: f64 = 1e-2;
 /// Relative change below which a motion is taken for one that may be enough: it is no mixture of others
 /// any more.
 const UNMIXED: f64 = 0.05;
+/// Size of what a mixture of modes may hold of those above a limit, as a part of its own: with a frequency a
+/// million times as high its energy is still a part in a hundred million.
+const PURE: f64 = 1e-10;
 /// What is left of a vector when the others are taken out of it, as a part of its size, below which it is
 /// rounding. Where the constraints leave fewer motions than there are vectors, the surplus ones are
 /// combinations of the others and what is left, about 1e-14, breaks the constraints. A motion of its
@@ -66,6 +73,16 @@ const LAST: usize = 30;
 struct Basis {
     vectors: Vec<Vec<f64>>,
     images: Vec<Vec<f64>>,
+    /// The shifts of the iterations so far.
+    shifts: Vec<f64>,
+}
+
+impl Basis {
+    /// What the iterations have left of modes of a frequency, or a higher one, beside those of another:
+    /// each divides a mode by shift^2 + frequency^2.
+    fn left(&self, of: f64, beside: f64) -> f64 {
+        self.shifts.iter().map(|shift| (shift * shift + beside * beside) / (shift * shift + of * of)).product()
+    }
 }
 
 /// A search for the lowest modes about a state.
@@ -155,7 +172,7 @@ impl LowestModes {
         };
         let vectors: Vec<Vec<f64>> = (0..count).map(|_| (0..self.n).map(|_| next()).collect()).collect();
         let images = vectors.iter().map(|x| self.times(&self.mass, x)).collect();
-        Basis { vectors, images }
+        Basis { vectors, images, shifts: Vec::new() }
     }
 
     /// Iterates until the lowest wanted frequency changes by less than a share of it, or enough is known.
@@ -169,13 +186,17 @@ impl LowestModes {
         let mut last: Option<Found> = None;
         for _ in 0..most {
             let modes = self.improve(basis, shift).ok_or_else(|| Failure::new(Reason::NoConvergence, self.time))?;
-            let mut now = Found { modes, lowest: None, enough: false };
+            let mut now = Found { modes, lowest: None, enough: false, settled: false };
             let before = |at: usize| last.as_ref().and_then(|l| l.modes.get(at)).map_or(f64::INFINITY, |m| m.frequency);
             for (at, mode) in now.modes.iter().enumerate().filter(|(_, mode)| mode.frequency > 0.0) {
                 match look(mode) {
                     Look::Other => continue,
                     Look::Wanted => {}
-                    Look::Enough => now.enough |= (mode.frequency - before(at)).abs() <= UNMIXED * mode.frequency,
+                    Look::Enough(limit) => {
+                        let own = (mode.frequency - before(at)).abs() <= UNMIXED * mode.frequency;
+                        let below = mode.frequency < limit && basis.left(limit, mode.frequency) <= PURE;
+                        now.enough |= own || below;
+                    }
                 }
                 now.lowest = now.lowest.or(Some(at));
             }
@@ -186,6 +207,7 @@ impl LowestModes {
                 (Some(now), Some(last)) => (now - last).abs() <= share * now,
                 _ => false,
             };
+            now.settled = settled;
             let ends = rigid || settled || now.enough;
             last = Some(now);
             if ends {
@@ -224,7 +246,8 @@ impl LowestModes {
 
     /// One step of the iteration: better vectors, and the modes they show.
     fn improve(&mut self, basis: &mut Basis, shift: f64) -> Option<Vec<LowMode>> {
-        let mut new = Basis { vectors: Vec::new(), images: Vec::new() };
+        let mut new = Basis { vectors: Vec::new(), images: Vec::new(), shifts: std::mem::take(&mut basis.shifts) };
+        new.shifts.push(shift);
         for image in &basis.images {
             let mut y = image.clone();
             y.resize(self.unknowns, 0.0);
@@ -261,7 +284,8 @@ impl LowestModes {
         let mut pairs = eigenpairs(reduced)?;
         pairs.sort_by(|a, b| a.value[0].total_cmp(&b.value[0]));
         let least = RIGID * self.highest.powi(2).max(shift * shift);
-        let mut turned = Basis { vectors: Vec::with_capacity(p), images: Vec::with_capacity(p) };
+        let mut turned =
+            Basis { vectors: Vec::with_capacity(p), images: Vec::with_capacity(p), shifts: new.shifts.clone() };
         let mut modes = Vec::with_capacity(p);
         for pair in &pairs {
             let combined = |all: &[Vec<f64>]| {

@@ -12,8 +12,9 @@ use crate::lower::{LoadId, Lowering};
 /// Puts time first; adds every part and load where that is asked for or nothing else is recorded, and
 /// what goes through members where they are recorded or that alone is asked for.
 pub(crate) fn complete(lowering: &mut Lowering<'_>) {
-    let nothing_asked = lowering.columns.is_empty() && !lowering.options.record_beams;
-    if nothing_asked && !lowering.options.record_all {
+    let options = lowering.options;
+    let nothing_asked = lowering.columns.is_empty() && !options.record_beams && !lowering.only_looks;
+    if nothing_asked && !options.record_all {
         let model = lowering.name(lowering.model);
         lowering.report(
             Diagnostic::new(
@@ -24,7 +25,7 @@ pub(crate) fn complete(lowering: &mut Lowering<'_>) {
             .help("create a request or a measure to record less"),
         );
     }
-    let everything = nothing_asked || lowering.options.record_all;
+    let everything = nothing_asked || options.record_all;
     if everything {
         for (part, body) in lowering.body_list() {
             let set = format!("{}_XFORM", lowering.database.object(part).name);
@@ -38,7 +39,7 @@ pub(crate) fn complete(lowering: &mut Lowering<'_>) {
             vector::add_load(lowering, &set, element);
         }
         let LoadId::Force(force) = load else { continue };
-        if (everything || lowering.options.record_beams) && lowering.forces[force].member().is_some() {
+        if (everything || options.record_beams) && lowering.forces[force].member().is_some() {
             member::add(lowering, element, force);
         }
     }

@@ -8,8 +8,9 @@ use super::{
     corotational::Corotational,
     element::Beam,
     physics::{Angles, Formulation, Law, Mat6, Section, from_lower_triangle, proportional_damping, stiffness},
+    schema::{DAMPING_MATRIX, DAMPING_RATIO},
 };
-use crate::lower::Lowering;
+use crate::{lower::Lowering, verify::modify};
 
 pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
     let i = lowering.frame_cell(beam, "i_marker_name", "beam/no-marker");
@@ -27,6 +28,24 @@ pub fn lower(lowering: &mut Lowering<'_>, beam: ObjectId) {
     lowering.add_force(beam, Box::new(force));
 }
 
+/// The beams that take part in a simulation, in order of creation.
+pub fn active(database: &Database, model: ObjectId) -> Vec<ObjectId> {
+    let mut active = crate::active_objects(database, model);
+    active.retain(|&id| database.object(id).class == &super::CLASS);
+    active
+}
+
+/// The markers I and J.
+pub fn ends(database: &Database, beam: ObjectId) -> [Option<ObjectId>; 2] {
+    ["i_marker_name", "j_marker_name"].map(|cell| database.reference(beam, cell))
+}
+
+/// The damping ratio, s. None where a damping matrix is given: its terms win over the ratio.
+pub fn ratio_in_use(database: &Database, beam: ObjectId) -> Option<f64> {
+    let ratio = || database.si(beam, DAMPING_RATIO).unwrap_or_else(|| default(database, beam, DAMPING_RATIO));
+    database.value(beam, DAMPING_MATRIX).is_none().then(ratio)
+}
+
 /// Code of the note about ratios that are not used.
 pub const SHEAR_IGNORED: &str = "beam/shear-ignored";
 
@@ -41,9 +60,7 @@ fn say_what_is_ignored(lowering: &mut Lowering<'_>, beam: ObjectId) {
     let (Some(cell), false) = (ignored(beam), lowering.diagnostics.iter().any(|d| d.code == SHEAR_IGNORED)) else {
         return;
     };
-    let is_beam = |id: &&ObjectId| database.object(**id).class.id == "beam";
-    let active = crate::active_objects(database, lowering.model);
-    let count = active.iter().filter(is_beam).filter(|id| ignored(**id).is_some()).count();
+    let count = active(database, lowering.model).into_iter().filter(|id| ignored(*id).is_some()).count();
     let rest = if count > 1 { format!(", and so are those of {} more", count - 1) } else { String::new() };
     let name = lowering.name(beam);
     lowering.diagnostics.push(
@@ -53,7 +70,7 @@ fn say_what_is_ignored(lowering: &mut Lowering<'_>, beam: ObjectId) {
             format!("`{cell}` of the NONLINEAR beam `{name}` is not used{rest}"),
         )
         .note("NONLINEAR beams do not shear (Euler and Bernoulli)")
-        .help("`--nonlinear-shear` of `flexure simulate`, `modes`, `beams` and `run` lets them"),
+        .help("`--nonlinear-shear` of `flexure simulate`, `modes`, `beams`, `run` and `verify` lets them"),
     );
 }
 
@@ -125,7 +142,7 @@ pub fn wrong_data(database: &Database, beam: ObjectId, s: &Section) -> Vec<(&'st
             (true, false) => ("beam/negative", "0 or above"),
         };
         let error = Diagnostic::error(code, format!("`{cell}` of beam `{name}` is {shown}; it must be {wanted}"))
-            .help(format!("force modify element_like beam beam_name={name} {cell}=..."));
+            .help(modify(database, beam, format_args!("{cell}=...")));
         wrong.push((cell, error));
     };
     must("length", s.length, true);
@@ -137,9 +154,8 @@ pub fn wrong_data(database: &Database, beam: ObjectId, s: &Section) -> Vec<(&'st
     must("izz", s.izz, false);
     must("y_shear_area_ratio", s.asy, false);
     must("z_shear_area_ratio", s.asz, false);
-    // The terms of a matrix win over the ratio.
-    if database.value(beam, "matrix_of_damping_terms").is_none() {
-        must("damping_ratio", database.si(beam, "damping_ratio").unwrap_or(0.0), false);
+    if let Some(ratio) = ratio_in_use(database, beam) {
+        must(DAMPING_RATIO, ratio, false);
     }
     wrong
 }
@@ -151,32 +167,32 @@ enum Damping {
     Matrix(Box<Mat6>),
 }
 
-/// The damping in SI. The 21 terms win over the ratio.
+/// The damping in SI.
 fn damping(database: &Database, beam: ObjectId, troubles: &mut Vec<Diagnostic>) -> Damping {
-    let name = database.full_name(beam);
-    if let Some(terms) = database.numbers(beam, "matrix_of_damping_terms") {
-        let Ok(terms) = <[f64; 21]>::try_from(terms.as_slice()) else {
-            troubles.push(
-                Diagnostic::error(
-                    "beam/damping-terms",
-                    format!("beam `{name}` has {} damping terms; 21 numbers are wanted", terms.len()),
-                )
-                .note("they are the lower triangle of a symmetric 6x6 matrix by columns: C11 C21 .. C61, C22 .. C62, .. C66"),
-            );
-            return Damping::Proportional(0.0);
-        };
-        if terms.iter().any(|term| !term.is_finite()) {
-            troubles.push(
-                Diagnostic::error(
-                    "beam/not-a-number",
-                    format!("a damping term of beam `{name}` is not a finite number"),
-                )
-                .help("give 21 finite numbers"),
-            );
-        }
-        return Damping::Matrix(Box::new(damping_in_si(database, &terms)));
+    if let Some(ratio) = ratio_in_use(database, beam) {
+        return Damping::Proportional(ratio);
     }
-    Damping::Proportional(database.si(beam, "damping_ratio").unwrap_or(0.0))
+    let name = database.full_name(beam);
+    let terms = database.numbers(beam, DAMPING_MATRIX).unwrap_or_default();
+    let Ok(terms) = <[f64; 21]>::try_from(terms.as_slice()) else {
+        troubles.push(
+            Diagnostic::error(
+                "beam/damping-terms",
+                format!("beam `{name}` has {} damping terms; 21 numbers are wanted", terms.len()),
+            )
+            .note(
+                "they are the lower triangle of a symmetric 6x6 matrix by columns: C11 C21 .. C61, C22 .. C62, .. C66",
+            ),
+        );
+        return Damping::Proportional(0.0);
+    };
+    if terms.iter().any(|term| !term.is_finite()) {
+        troubles.push(
+            Diagnostic::error("beam/not-a-number", format!("a damping term of beam `{name}` is not a finite number"))
+                .help("give 21 finite numbers"),
+        );
+    }
+    Damping::Matrix(Box::new(damping_in_si(database, &terms)))
 }
 
 /// Terms are in force, length and time of the model and radians.

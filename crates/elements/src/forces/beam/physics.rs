@@ -36,6 +36,16 @@ pub enum Angles {
     RotationVector,
 }
 
+impl Angles {
+    /// The three angles of I turned from J, rad.
+    pub fn of(self, rot_ji: &DMat3) -> [f64; 3] {
+        match self {
+            Angles::Projected => projected_angles(rot_ji),
+            Angles::RotationVector => rotation_vector(rot_ji).to_array(),
+        }
+    }
+}
+
 /// Section, material and length of an undeformed beam. SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
@@ -112,10 +122,7 @@ pub struct Law {
 impl Law {
     /// Deformation x y z a b c of the present state (B.1 to B.3).
     pub fn deformation(&self, motion: &Relative) -> Vec6 {
-        let [a, b, c] = match self.angles {
-            Angles::Projected => projected_angles(&motion.rot_ji),
-            Angles::RotationVector => rotation_vector(&motion.rot_ji).to_array(),
-        };
+        let [a, b, c] = self.angles.of(&motion.rot_ji);
         let r = motion.d_ji_j;
         [r.x - self.length, r.y, r.z, a, b, c]
     }

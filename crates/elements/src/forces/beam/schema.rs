@@ -4,6 +4,10 @@ use schema::{Class, Count, Dimension, Field, Group};
 
 use crate::{attributes, common};
 
+/// The cells of the damping, which is given by one of them.
+pub const DAMPING_RATIO: &str = "damping_ratio";
+pub const DAMPING_MATRIX: &str = "matrix_of_damping_terms";
+
 pub const CLASS: Class = Class {
     id: "beam",
     word: "Beam",
@@ -66,12 +70,12 @@ pub const CLASS: Class = Class {
                     .keyword("IZZ")
                     .at_least(0.0)
                     .doc("second moment of area about z of J"),
-                Field::real("damping_ratio", Dimension::TIME)
+                Field::real(DAMPING_RATIO, Dimension::TIME)
                     .default(0.0)
                     .keyword("CRATIO")
                     .at_least(0.0)
                     .doc("damping matrix as a multiple of the stiffness matrix"),
-                Field::real("matrix_of_damping_terms", Dimension::NONE)
+                Field::real(DAMPING_MATRIX, Dimension::NONE)
                     .lower_triangle(6)
                     .keyword("CMATRIX")
                     .doc("damping matrix: 21 terms, its lower triangle by columns, or all 36 if it is symmetric"),

@@ -6,10 +6,11 @@ use text::Diagnostic;
 
 use super::{doubtful, exact, place::Placement, torsion};
 use crate::forces::beam::{
-    lower::{law, wrong_data},
+    lower::{law, ratio_in_use, wrong_data},
     physics::Section,
+    schema::DAMPING_RATIO,
 };
-use crate::verify::{Finding, number};
+use crate::verify::{Finding, modify, number};
 
 pub(super) fn find(
     database: &Database,
@@ -29,9 +30,9 @@ pub(super) fn find(
             findings.push(Finding::new(trouble));
         }
     }
-    shear_ratios(&name, s, findings);
+    shear_ratios(database, beam, s, findings);
     ones(database, beam, &name, findings);
-    polar_moment(database, &name, s, findings);
+    polar_moment(database, beam, s, findings);
     doubtful::find(database, beam, s, findings);
     damping_twice(database, beam, &name, findings);
 }
@@ -45,8 +46,7 @@ fn mended(
     diagnostic: Diagnostic,
     at: Option<&Placement>,
 ) -> Finding {
-    let name = database.full_name(beam);
-    let command = |value: f64| format!("force modify element_like beam beam_name={name} {cell}={}", exact(value));
+    let command = |value: f64| modify(database, beam, format_args!("{cell}={}", exact(value)));
     let value = database.number(beam, cell).unwrap_or(0.0);
     let computed = database.cell(beam, cell).is_some_and(model::Cell::is_expression);
     let distance = at.map(|at| at.r_ji_j.length() / database.units().factor(Dimension::LENGTH));
@@ -61,7 +61,8 @@ fn mended(
     }
 }
 
-fn shear_ratios(name: &str, s: &Section, findings: &mut Vec<Finding>) {
+fn shear_ratios(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Finding>) {
+    let name = database.full_name(beam);
     for (cell, ratio) in [("y_shear_area_ratio", s.asy), ("z_shear_area_ratio", s.asz)] {
         if ratio <= 0.0 || ratio >= 1.0 {
             continue;
@@ -70,10 +71,22 @@ fn shear_ratios(name: &str, s: &Section, findings: &mut Vec<Finding>) {
             "beam/shear-ratio",
             format!("`{cell}` of beam `{name}` is {}, which is not possible below 1", number(ratio)),
         )
-        .note("it is the area over the shear area: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube")
-        .help(format!("give the inverse, {}, or 0 for no shear deflection", number(1.0 / ratio)));
-        let command = format!("force modify element_like beam beam_name={name} {cell}={}", exact(1.0 / ratio));
-        findings.push(Finding::new(diagnostic).fixed_by(command));
+        .note("it is the area over the shear area: 6/5 for a rectangle, 10/9 for a circle, 2 for a thin tube");
+        let inverse = 1.0 / ratio;
+        findings.push(if inverse.is_finite() {
+            let help = format!("give the inverse, {}, or 0 for no shear deflection", number(inverse));
+            Finding::new(diagnostic.help(help)).fixed_by(modify(
+                database,
+                beam,
+                format_args!("{cell}={}", exact(inverse)),
+            ))
+        } else {
+            Finding::new(
+                diagnostic
+                    .note("no fix is offered: the inverse of the ratio is no number")
+                    .help("give 0 for no shear deflection"),
+            )
+        });
     }
 }
 
@@ -92,20 +105,20 @@ fn ones(database: &Database, beam: ObjectId, name: &str, findings: &mut Vec<Find
         )
         .note("a beam that is given no value gets 1 in the model's units")
         .note("no fix is offered: the value that was forgotten is not in the model")
-        .help(format!(
-            "force modify element_like beam beam_name={name} {}; ignore this if 1 is meant",
-            wanted.join(" ")
-        )),
+        .help(modify(database, beam, format_args!("{}; ignore this if 1 is meant", wanted.join(" ")))),
     ));
 }
 
-/// Largest difference, as a share, of two second moments of a round section, and of a torsion constant that
-/// is the polar moment: numbers are typed with six digits.
+/// Largest difference, as a share, of a torsion constant that is the polar moment: numbers are typed with six
+/// digits.
 const ROUND: f64 = 1e-6;
 
-fn polar_moment(database: &Database, name: &str, s: &Section, findings: &mut Vec<Finding>) {
+fn polar_moment(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Finding>) {
+    let name = database.full_name(beam);
     let polar = s.iyy + s.izz;
-    let round = (s.iyy - s.izz).abs() <= ROUND * polar;
+    // With second moments that differ by a share e of their sum, the torsion constant of a solid section is
+    // smaller than the polar moment by the square of e and no more.
+    let round = (s.iyy - s.izz).powi(2) <= ROUND * polar.powi(2);
     if s.iyy <= 0.0 || s.izz <= 0.0 || round || (s.ixx - polar).abs() >= ROUND * polar {
         return;
     }
@@ -129,7 +142,7 @@ fn polar_moment(database: &Database, name: &str, s: &Section, findings: &mut Vec
         Some(found) => Finding::new(
             diagnostic.help(format!("a solid section twists with ixx = {}, {}", shown(found.constant), found.source)),
         )
-        .fixed_by(format!("force modify element_like beam beam_name={name} ixx={}", exact(in_model(found.constant)))),
+        .fixed_by(modify(database, beam, format_args!("ixx={}", exact(in_model(found.constant))))),
         None => Finding::new(
             diagnostic
                 .note("no fix is offered: area and moments are not those of a solid section, and only its walls tell the torsion constant of another one")
@@ -139,15 +152,15 @@ fn polar_moment(database: &Database, name: &str, s: &Section, findings: &mut Vec
 }
 
 fn damping_twice(database: &Database, beam: ObjectId, name: &str, findings: &mut Vec<Finding>) {
-    let ratio = database.number(beam, "damping_ratio").unwrap_or(0.0);
-    if ratio != 0.0 && database.value(beam, "matrix_of_damping_terms").is_some() {
+    let ratio = database.number(beam, DAMPING_RATIO).unwrap_or(0.0);
+    if ratio != 0.0 && ratio_in_use(database, beam).is_none() {
         findings.push(
             Finding::new(
                 Diagnostic::warning("beam/damping-twice", format!("the damping of beam `{name}` is given twice"))
                     .note(format!("`matrix_of_damping_terms` is used and `damping_ratio`, {}, is not", number(ratio)))
                     .help("set `damping_ratio` to 0, as the fix does; for the ratio instead, create the beam anew without the matrix: no command takes a matrix away"),
             )
-            .fixed_by(format!("force modify element_like beam beam_name={name} damping_ratio=0")),
+            .fixed_by(modify(database, beam, format_args!("{DAMPING_RATIO}=0"))),
         );
     }
 }

@@ -7,7 +7,8 @@ use solver::dense::{Matrix, eigenpairs};
 use text::Diagnostic;
 
 use crate::forces::beam::physics::{Mat6, Section, from_lower_triangle};
-use crate::verify::{Finding, number};
+use crate::forces::beam::schema::DAMPING_MATRIX;
+use crate::verify::{Finding, modify, number};
 
 /// Excess of the torsion constant over the polar moment that numbers of three digits may have.
 const THREE_DIGITS: f64 = 0.01;
@@ -19,7 +20,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn find(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Finding>) {
     let name = database.full_name(beam);
     let default = |cell: &str| database.number(beam, cell).is_none_or(|x| x == 1.0);
-    zeros(&name, s, findings);
+    zeros(database, beam, s, findings);
     // A default of one that was left is reported as such.
     if !["ixx", "iyy", "izz"].into_iter().any(default) {
         torsion_constant(database, &name, s, findings);
@@ -27,12 +28,13 @@ pub(super) fn find(database: &Database, beam: ObjectId, s: &Section, findings: &
     if !["youngs_modulus", "shear_modulus"].into_iter().any(default) {
         moduli(&name, s, findings);
     }
-    if let Some(Ok(terms)) = database.numbers(beam, "matrix_of_damping_terms").map(|t| <[f64; 21]>::try_from(&*t)) {
+    if let Some(Ok(terms)) = database.numbers(beam, DAMPING_MATRIX).map(|t| <[f64; 21]>::try_from(&*t)) {
         damping_matrix(&name, &from_lower_triangle(&terms), findings);
     }
 }
 
-fn zeros(name: &str, s: &Section, findings: &mut Vec<Finding>) {
+fn zeros(database: &Database, beam: ObjectId, s: &Section, findings: &mut Vec<Finding>) {
+    let name = database.full_name(beam);
     let effects = [("ixx", s.ixx, "twisting"), ("iyy", s.iyy, "bending about y"), ("izz", s.izz, "bending about z")];
     for (cell, _, effect) in effects.into_iter().filter(|(_, value, _)| *value == 0.0) {
         findings.push(Finding::new(
@@ -41,7 +43,7 @@ fn zeros(name: &str, s: &Section, findings: &mut Vec<Finding>) {
                 format!("`{cell}` of beam `{name}` is 0: nothing resists {effect}"),
             )
             .note("no fix is offered: the right number is not in the model")
-            .help(format!("force modify element_like beam beam_name={name} {cell}=...; ignore this if 0 is meant")),
+            .help(modify(database, beam, format_args!("{cell}=...; ignore this if 0 is meant"))),
         ));
     }
 }

@@ -12,14 +12,15 @@ mod torsion;
 use model::{Database, ObjectId};
 use text::Diagnostic;
 
-use super::lower::section;
-use crate::verify::Finding;
+use super::lower::{ends, section};
+use crate::Options;
+use crate::verify::{Finding, modify};
 
-pub fn verify(database: &Database, beam: ObjectId, findings: &mut Vec<Finding>) {
+pub fn verify(database: &Database, beam: ObjectId, options: &Options, findings: &mut Vec<Finding>) {
     let section = section(database, beam);
-    let ends = ["i_marker_name", "j_marker_name"].map(|cell| database.reference(beam, cell));
+    let ends = ends(database, beam);
     let placement = match ends {
-        [Some(i), Some(j)] => Some(place::Placement::of(database, i, j)),
+        [Some(i), Some(j)] => Some(place::Placement::of(database, i, j, options.beam_angles)),
         _ => None,
     };
     data::find(database, beam, &section, placement.as_ref(), findings);
@@ -34,9 +35,7 @@ pub fn verify(database: &Database, beam: ObjectId, findings: &mut Vec<Finding>) 
             )
             .note("the two ends cannot move relative to each other: the beam has no effect on the motion")
             .note("no fix is offered: which part the other end belongs to is not in the model")
-            .help(format!(
-                "force modify element_like beam beam_name={name} j_marker_name=... with a marker on another part"
-            )),
+            .help(modify(database, beam, format_args!("j_marker_name=... with a marker on another part"))),
         ));
     }
     if section.length > 0.0 && section.length.is_finite() {

@@ -11,9 +11,9 @@ use super::exact;
 use crate::forces::beam::{
     SMALL_ANGLE,
     lower::law,
-    physics::{Law, Section, projected_angles},
+    physics::{Angles, Law, Section},
 };
-use crate::verify::{Finding, number};
+use crate::verify::{Finding, modify, number};
 
 /// Smallest distance from the axis, as a share of the length, that counts as off the axis.
 const OFF_AXIS: f64 = 1e-3;
@@ -34,13 +34,13 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    pub(super) fn of(database: &Database, i: ObjectId, j: ObjectId) -> Placement {
+    pub(super) fn of(database: &Database, i: ObjectId, j: ObjectId, angles: Angles) -> Placement {
         let (pose_i, pose_j) = (database.global_pose(i), database.global_pose(j));
         let seen: Pose = pose_j.inverse().then(&pose_i);
         let back = pose_i.inverse().then(&pose_j).origin;
         Placement {
             r_ji_j: seen.origin * database.units().factor(Dimension::LENGTH),
-            angles: projected_angles(&seen.rotation),
+            angles: angles.of(&seen.rotation),
             swappable: back.x > 0.0 && back.y.hypot(back.z) <= back.x,
             markers: [i, j],
             i: database.full_name(i),
@@ -61,7 +61,7 @@ pub(super) fn find(database: &Database, beam: ObjectId, s: &Section, at: &Placem
         return;
     }
     if at.r_ji_j.x < 0.0 && across <= at.r_ji_j.x.abs() {
-        findings.push(swapped(&name, &in_model, length, unit.name, at));
+        findings.push(swapped(database, beam, &in_model, length, at));
         return;
     }
     let first = findings.len();
@@ -81,10 +81,7 @@ pub(super) fn find(database: &Database, beam: ObjectId, s: &Section, at: &Placem
         );
         findings.push(
             Finding::new(diagnostic.help("if no preload is meant, give the distance of the markers as `length`"))
-                .fixed_by(format!(
-                    "force modify element_like beam beam_name={name} length={}",
-                    exact(distance / unit.si)
-                )),
+                .fixed_by(modify(database, beam, format_args!("length={}", exact(distance / unit.si)))),
         );
     }
     let angle = at.angles.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
@@ -108,8 +105,15 @@ fn coincident(name: &str, length: &str, unit: &str, at: &Placement) -> Finding {
     )
 }
 
-fn swapped(name: &str, in_model: &dyn Fn(f64) -> String, length: f64, unit: &str, at: &Placement) -> Finding {
+fn swapped(
+    database: &Database,
+    beam: ObjectId,
+    in_model: &dyn Fn(f64) -> String,
+    length: f64,
+    at: &Placement,
+) -> Finding {
     let Placement { i, j, .. } = at;
+    let (name, unit) = (database.full_name(beam), database.units().length.name);
     let diagnostic = Diagnostic::error(
         "beam/ends-swapped",
         format!("I and J of beam `{name}` are swapped: I lies on -x of J, at x = {} {unit}", in_model(at.r_ji_j.x)),
@@ -117,8 +121,11 @@ fn swapped(name: &str, in_model: &dyn Fn(f64) -> String, length: f64, unit: &str
     .note(format!("I is `{i}`, J is `{j}`; undeformed, I must lie at +{} {unit} along x of J", in_model(length)))
     .note(format!("as it is, the beam starts {} {unit} shorter than its free length", in_model(length - at.r_ji_j.x)));
     if at.swappable {
-        Finding::new(diagnostic.help("exchange the I and the J marker"))
-            .fixed_by(format!("force modify element_like beam beam_name={name} i_marker_name={j} j_marker_name={i}"))
+        Finding::new(diagnostic.help("exchange the I and the J marker")).fixed_by(modify(
+            database,
+            beam,
+            format_args!("i_marker_name={j} j_marker_name={i}"),
+        ))
     } else {
         Finding::new(
             diagnostic
@@ -210,12 +217,7 @@ fn straightened(database: &Database, beam: ObjectId, diagnostic: Diagnostic, at:
         );
         names.push(made);
     }
-    let name = database.full_name(beam);
-    let _ = write!(
-        commands,
-        "force modify element_like beam beam_name={name} i_marker_name={} j_marker_name={}",
-        names[0], names[1]
-    );
+    commands += &modify(database, beam, format_args!("i_marker_name={} j_marker_name={}", names[0], names[1]));
     Finding::new(diagnostic.note("the fix gives the beam two markers of its own in the same places, x from J to I"))
         .fixed_by(commands)
 }
