@@ -279,6 +279,8 @@ pub struct Verify {
     pub model: PathBuf,
     #[command(flatten)]
     pub edits: Edits,
+    #[command(flatten)]
+    pub beams: Beams,
     /// Print JSON.
     #[arg(long)]
     pub json: bool,

@@ -51,12 +51,7 @@ fn verify_mends_a_model_until_it_is_clean() {
 #[test]
 fn a_run_says_how_many_beams_an_angle_needs() {
     let folder = TempDir::new().unwrap();
-    let clean = TRAPS
-        .replace(
-            "i_marker_name=.m.ground.j j_marker_name=.m.p.i length=201",
-            "i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200",
-        )
-        .replace("0.8333", "1.2");
+    let clean = sound_bar();
     let moment = "force create direct single_component_force single_component_force_name=.m.t type_of_freedom=rotational \
                   i_marker_name=.m.p.i j_marker_name=.m.ground.j action_only=on function=\"1.0E6\"\n";
     fs::write(
@@ -110,17 +105,44 @@ fn mending_says_what_it_changes_and_does_no_more() {
     assert!(errors.contains("beam/ends-swapped") && !errors.contains("beam/shear-ratio"), "{errors}");
 }
 
-/// A damper of 1.0E5 beside a beam with a ratio of 1.0E-5 s: nothing is mended, and certainly not for ever.
-#[test]
-fn mending_ends() {
-    let folder = TempDir::new().unwrap();
-    let clean = TRAPS
+/// TRAPS without traps, so that a test sets its own: the bar's ends in order, true length, shear factor and
+/// torsion constant.
+fn sound_bar() -> String {
+    TRAPS
         .replace(
             "i_marker_name=.m.ground.j j_marker_name=.m.p.i length=201",
             "i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200",
         )
-        .replace("0.8333", "1.2 damping_ratio=1.0E-5")
-        .replace("ixx=(20000/3+5000/3)", "ixx=4577.5");
+        .replace("0.8333", "1.2")
+        .replace("ixx=(20000/3+5000/3)", "ixx=4577.5")
+}
+
+/// A marker that moves away as its beam is made longer, so that every fix of the length brings the next.
+/// Truth: I lies 200 mm and the length behind J; with 200 mm it is 400 mm away, and with the 400 mm of the
+/// one fix that is made, 600 mm.
+#[test]
+fn mending_ends_where_a_fix_does_not_help() {
+    let folder = TempDir::new().unwrap();
+    let model =
+        format!("{}marker modify marker_name=.m.p.i location=(.m.bar.length),0,0 relative_to=.m.p\n", sound_bar());
+    fs::write(folder.path().join("bar.cmd"), model).unwrap();
+    let (status, _, errors) = run(&folder, &["verify", "bar.cmd", "--fix"]);
+    assert_eq!(status, 1, "{errors}");
+    assert!(errors.contains("`length` of beam `.m.bar` is 200 mm, but its markers are 400 mm apart"), "{errors}");
+    let said = "not mended, though the fix was made: beam/length: length of `.m.bar` 200 -> 400\n";
+    assert!(errors.contains(said), "{errors}");
+    assert!(!errors.contains("\nmended: "), "{errors}");
+    assert!(errors.contains("0 findings mended; written to bar_fixed.cmd"), "{errors}");
+    assert!(errors.contains("not everything could be mended"), "{errors}");
+    let (_, _, errors) = run(&folder, &["verify", "bar_fixed.cmd"]);
+    assert!(errors.contains("`length` of beam `.m.bar` is 400 mm, but its markers are 600 mm apart"), "{errors}");
+}
+
+/// A damper of 1.0E5 beside a beam with a ratio of 1.0E-5 s: the ratio is not to blame, and nothing is changed.
+#[test]
+fn nothing_is_mended_where_the_beam_is_not_to_blame() {
+    let folder = TempDir::new().unwrap();
+    let clean = sound_bar().replace("y_shear_area_ratio=1.2", "y_shear_area_ratio=1.2 damping_ratio=1.0E-5");
     let damper = "marker create marker_name=.m.ground.k location=200,0,0 orientation=0,0,0\n\
                   force create element_like bushing bushing_name=.m.bush i_marker_name=.m.p.i j_marker_name=.m.ground.k \
                   stiffness=0,0,0 tstiffness=0,0,0 damping=1E5,1E5,1E5 tdamping=1E9,1E9,1E9\n";
@@ -128,6 +150,79 @@ fn mending_ends() {
     let (status, _, errors) = run(&folder, &["verify", "bar.cmd", "--fix"]);
     assert_eq!(status, 0, "{errors}");
     assert!(errors.contains("0 findings mended"), "{errors}");
+    let mended = fs::read_to_string(folder.path().join("bar_fixed.cmd")).unwrap();
+    assert!(mended.contains("damping_ratio = 1.0E-05"), "{mended}");
+}
+
+/// What `--fix` does is not advised while it is done.
+#[test]
+fn mending_is_advised_where_nothing_is_mended() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("bar.cmd"), TRAPS).unwrap();
+    let (_, _, errors) = run(&folder, &["verify", "bar.cmd"]);
+    assert!(errors.contains("3 findings, 3 of them can be mended with --fix\n"), "{errors}");
+    let (_, _, errors) = run(&folder, &["verify", "bar.cmd", "--fix"]);
+    assert!(errors.contains("3 findings\n") && !errors.contains("can be mended with --fix"), "{errors}");
+}
+
+/// The inverse of so small a ratio is no number: nothing is offered that would fail.
+#[test]
+fn a_ratio_without_an_inverse_is_not_mended() {
+    let folder = TempDir::new().unwrap();
+    let tiny = sound_bar().replace("y_shear_area_ratio=1.2", "y_shear_area_ratio=1.0E-310");
+    fs::write(folder.path().join("bar.cmd"), tiny).unwrap();
+    let (status, _, errors) = run(&folder, &["verify", "bar.cmd", "--fix"]);
+    assert_eq!(status, 1, "{errors}");
+    assert!(errors.contains("no fix is offered: the inverse of the ratio is no number"), "{errors}");
+    assert!(errors.contains("0 findings mended") && !errors.contains("though the fix was made"), "{errors}");
+}
+
+/// The command in a file finds what the program called on that file finds, and both take beams as they are
+/// told to.
+#[test]
+fn the_command_and_the_program_find_the_same() {
+    let folder = TempDir::new().unwrap();
+    let damped = sound_bar().replace("y_shear_area_ratio=1.2", "y_shear_area_ratio=1.2 damping_ratio=0.02");
+    let nonlinear = sound_bar().replace("y_shear_area_ratio=1.2", "y_shear_area_ratio=1.2 formulation=nonlinear");
+    for (model, options, code, found) in [
+        (&damped, &[][..], "beam/overdamped", true),
+        (&nonlinear, &[], "beam/shear-ignored", true),
+        (&nonlinear, &["--nonlinear-shear"], "beam/shear-ignored", false),
+    ] {
+        fs::write(folder.path().join("model.cmd"), model).unwrap();
+        fs::write(folder.path().join("command.cmd"), format!("{model}model verify model_name=.m\n")).unwrap();
+        let (_, _, program) = run(&folder, &[&["verify", "model.cmd"], options].concat());
+        let (_, _, command) = run(&folder, &[&["run", "command.cmd"], options].concat());
+        for (door, errors) in [("program", program), ("command", command)] {
+            assert_eq!(errors.contains(&format!("[{code}]")), found, "{door} {options:?} {code}: {errors}");
+        }
+    }
+}
+
+/// Truth: I is turned from J by p = 30 degrees about z and q = 40 degrees about the new x. Its z axis is
+/// (sin p sin q, -cos p sin q, cos q), so that the angle projected on x is atan2(cos p sin q, cos q). The
+/// rotation vector has the length acos((trace - 1)/2) and the x component (R32 - R23)/(2 sin) of it. The torque
+/// is -G Ixx/L times the angle; six digits are printed.
+#[test]
+fn angles_are_measured_as_asked_for_where_a_model_is_verified() {
+    let folder = TempDir::new().unwrap();
+    let marker = "marker create marker_name=.m.p.i location=0,0,0 orientation=";
+    let turned = sound_bar().replace(&format!("{marker}0,0,0"), &format!("{marker}30,40,0"));
+    fs::write(folder.path().join("bar.cmd"), &turned).unwrap();
+    fs::write(folder.path().join("command.cmd"), format!("{turned}model verify model_name=.m\n")).unwrap();
+    let (p, q) = (30_f64.to_radians(), 40_f64.to_radians());
+    let projected = (p.cos() * q.sin()).atan2(q.cos());
+    let angle = (0.5 * (p.cos() + p.cos() * q.cos() + q.cos() - 1.0)).acos();
+    let vector = angle * (q.sin() + p.cos() * q.sin()) / (2.0 * angle.sin());
+    for (option, expected) in [("projected", projected), ("rotvec", vector)] {
+        for arguments in [["verify", "bar.cmd"], ["run", "command.cmd"]] {
+            let (_, _, errors) = run(&folder, &[&arguments[..], &["--beam-angles", option]].concat());
+            let torque = errors.split("torque ").nth(1).and_then(|rest| rest.split(',').next());
+            let torque: f64 = torque.and_then(|x| x.parse().ok()).unwrap_or_else(|| panic!("{errors}"));
+            let expected = -8.0e4 * 4577.5 / 200.0 * expected;
+            assert!((torque / expected - 1.0).abs() < 1e-5, "{arguments:?} {option}: {torque} {expected}");
+        }
+    }
 }
 
 /// Notes are called notes and do not fail; a trouble is printed once; a model that was read in part is not
@@ -135,13 +230,7 @@ fn mending_ends() {
 #[test]
 fn findings_are_called_what_they_are() {
     let folder = TempDir::new().unwrap();
-    let clean = TRAPS
-        .replace(
-            "i_marker_name=.m.ground.j j_marker_name=.m.p.i length=201",
-            "i_marker_name=.m.p.i j_marker_name=.m.ground.j length=200",
-        )
-        .replace("0.8333", "1.2 formulation=nonlinear")
-        .replace("ixx=(20000/3+5000/3)", "ixx=4577.5");
+    let clean = sound_bar().replace("y_shear_area_ratio=1.2", "y_shear_area_ratio=1.2 formulation=nonlinear");
     fs::write(folder.path().join("note.cmd"), &clean).unwrap();
     let (status, shown, errors) = run(&folder, &["verify", "note.cmd", "--json"]);
     assert_eq!(status, 0, "{errors}");

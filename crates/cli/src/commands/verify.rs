@@ -8,7 +8,7 @@ use flexure::{AttributeValue, Finding, Session, Verification};
 
 use crate::Outcome;
 use crate::arguments::Verify;
-use crate::commands::{complain, count, open, print_found, session, shown};
+use crate::commands::{complain, count, open, print_found, session, set_beams, shown};
 
 /// A mended model may show the next trap: exchanged ends hide a wrong length. So often at most.
 const MOST_ROUNDS: usize = 20;
@@ -18,6 +18,7 @@ const MOST_CHANGES: usize = 6;
 pub(super) fn execute(verify: &Verify) -> Outcome {
     let mut session = session();
     session.simulate_nothing(true);
+    set_beams(&mut session, &verify.beams);
     let sound = open(&mut session, &verify.model, &verify.edits);
     if session.model().is_none() {
         return Outcome::Findings;
@@ -26,20 +27,20 @@ pub(super) fn execute(verify: &Verify) -> Outcome {
     if verify.json {
         println!("{:#}", json(&found));
     } else {
-        show(&session, &found, sound);
+        show(&session, &found, sound, verify.fix);
     }
     if verify.fix {
         let wanted = |finding: &Finding| {
             verify.only.is_empty() || verify.only.iter().any(|code| code == finding.diagnostic.code)
         };
-        let mended = mend(&mut session, &found, &wanted);
+        let (mended, left) = mend(&mut session, &found, &wanted);
         let path = verify.out.clone().unwrap_or_else(|| beside(&verify.model));
         if let Err(diagnostics) = session.write(&path) {
             print_found(&session, &diagnostics);
             return Outcome::Findings;
         }
         eprintln!("{}; written to {}", count(mended, "finding") + " mended", path.display());
-        if session.verify().findings.iter().any(|finding| matters(finding) && wanted(finding)) || !sound {
+        if left.iter().any(|finding| matters(finding) && wanted(finding)) || !sound {
             complain("not everything could be mended");
         } else {
             println!("{}", path.display());
@@ -54,7 +55,7 @@ fn matters(finding: &Finding) -> bool {
     finding.diagnostic.severity != Severity::Note
 }
 
-fn show(session: &Session, found: &Verification, sound: bool) {
+fn show(session: &Session, found: &Verification, sound: bool, mending: bool) {
     // What is wrong is printed with its notes below.
     let told = |line: &&String| {
         let error = line.strip_prefix("ERROR:").map(str::trim);
@@ -68,7 +69,8 @@ fn show(session: &Session, found: &Verification, sound: bool) {
     print_found(session, &diagnostics);
     if !found.findings.is_empty() {
         let mendable = found.findings.iter().filter(|f| f.fix.is_some()).count();
-        eprintln!("{}, {mendable} of them can be mended with --fix", count(found.findings.len(), "finding"));
+        let advice = if mending { String::new() } else { format!(", {mendable} of them can be mended with --fix") };
+        eprintln!("{}{advice}", count(found.findings.len(), "finding"));
     }
 }
 
@@ -98,25 +100,28 @@ fn kind(session: &Session, finding: &Finding) -> Kind {
 }
 
 /// Mends round by round, and says what was changed. A kind of finding is tried in one round only: what did
-/// not help is not tried again with other numbers. Returns how many findings are gone.
-fn mend(session: &mut Session, found: &Verification, wanted: &dyn Fn(&Finding) -> bool) -> usize {
+/// not help is not tried again with other numbers. Returns how many findings are gone, and those that are left.
+fn mend(session: &mut Session, found: &Verification, wanted: &dyn Fn(&Finding) -> bool) -> (usize, Vec<Finding>) {
     let mut tried: BTreeMap<Kind, Vec<String>> = BTreeMap::new();
-    let mut left = found.clone();
+    let mut left = found.findings.clone();
     for _ in 0..MOST_ROUNDS {
-        left.findings.retain(|f| f.fix.is_some() && wanted(f) && !tried.contains_key(&kind(session, f)));
-        if left.findings.is_empty() {
+        let new = |f: &&Finding| f.fix.is_some() && wanted(f) && !tried.contains_key(&kind(session, f));
+        let round: Vec<Finding> = left.iter().filter(new).cloned().collect();
+        if round.is_empty() {
             break;
         }
-        for finding in std::mem::take(&mut left.findings) {
+        for finding in round {
             let kind = kind(session, &finding);
             let change = fix(session, finding);
             tried.entry(kind).or_default().push(change);
         }
-        left = session.verify();
+        left = session.verify().findings;
     }
+    let mut of_kind: BTreeMap<Kind, usize> = BTreeMap::new();
+    left.iter().for_each(|f| *of_kind.entry(kind(session, f)).or_default() += 1);
     let mut mended = 0;
     for (kind, changes) in tried {
-        let rest = left.findings.iter().filter(|f| self::kind(session, f) == kind).count();
+        let rest = of_kind.get(&kind).copied().unwrap_or_default();
         let gone = changes.len().saturating_sub(rest);
         mended += gone;
         let word = match () {
@@ -126,7 +131,7 @@ fn mend(session: &mut Session, found: &Verification, wanted: &dyn Fn(&Finding) -
         };
         changes.iter().for_each(|change| eprintln!("{word}: {}: {change}", kind.0));
     }
-    mended
+    (mended, left)
 }
 
 /// Executes the fix of one finding and describes what it changed.
