@@ -3,9 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use model::{Database, ObjectId};
+use model::{CellKey, Database, ObjectId};
 use schema::Registry;
-use text::{Diagnostic, FileId, Sources};
+use text::{Diagnostic, FileId, Sources, Span};
 
 /// The kind of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +82,8 @@ pub struct BodyMass {
 #[derive(Clone, Debug)]
 pub struct DataSet {
     pub model: ObjectId,
+    /// Where the functions of its objects stand in the text.
+    pub functions: Vec<(CellKey, Span)>,
     /// What of the data set was not understood, or has no place in the model.
     pub diagnostics: Vec<Diagnostic>,
 }

@@ -47,7 +47,7 @@ impl Host for EngineHost {
         let otherwise = stem.unwrap_or_default();
         let naming = dataset::Naming { model: model_name, otherwise: &otherwise };
         let read = dataset::read(database, registry, file, sources.text(file), naming)?;
-        Ok(DataSet { model: read.model, diagnostics: read.diagnostics })
+        Ok(DataSet { model: read.model, functions: read.functions, diagnostics: read.diagnostics })
     }
 
     fn refuse_commands(&self, path: &Path, bytes: &[u8]) -> Option<Diagnostic> {

@@ -194,6 +194,7 @@ fn data_set(
     let read = interpreter.host.read_data_set(&mut interpreter.database, &registry, source, model_name);
     interpreter.names.forget();
     let read = read?;
+    interpreter.function_places.extend(read.functions);
     interpreter.complain(read.diagnostics);
     Ok(read.model)
 }

@@ -5,139 +5,22 @@
 use std::{collections::HashMap, ops::Range};
 
 use smallvec::SmallVec;
-use text::{Diagnostic, FileId, Span, suggest};
+use text::{Diagnostic, Span, suggest};
 
 use super::{
-    contradictions,
-    lines::Block,
-    statement::{Argument, Statement, item_length},
-    vocabulary::{Form, Found, Vocabulary},
+    splitter::Splitter,
+    statement::{Argument, item_length},
+    vocabulary::{Form, Found},
 };
 
-/// Splits statements into arguments and says what it does not understand.
-pub(crate) struct Splitter<'a> {
-    pub file: FileId,
-    pub text: &'a str,
-    pub vocabulary: &'a Vocabulary,
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-impl Splitter<'_> {
-    fn span(&self, range: &Range<usize>) -> Span {
-        Span::new(self.file, range.start, range.end)
+/// The arguments of a statement from its lines, the first of them from behind its head.
+pub(super) fn split(splitter: &mut Splitter<'_>, statement: &'static str, lines: &[Range<usize>]) -> Vec<Argument> {
+    let mut arguments =
+        Arguments { splitter, statement, found: Vec::new(), seen: HashMap::new(), depth: 0, closed: false };
+    for (index, line) in lines.iter().enumerate() {
+        arguments.piece(line.clone(), index > 0);
     }
-
-    /// A statement; `None` if it is none, or none that is read.
-    pub fn statement(&mut self, block: Block) -> Option<Statement> {
-        let first = block.pieces.first()?.clone();
-        let before = self.diagnostics.len();
-        let head = &self.text[first.clone()];
-        let word = head.len() - head.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len();
-        let (typed, rest) = head.split_at(word);
-        let name_range = first.start..first.start + word;
-        let slash = rest.trim_start();
-        let Some(behind) = slash.strip_prefix('/').filter(|_| word > 0) else {
-            if !block.inactive {
-                let wrong = Diagnostic::error("dataset/not-a-statement", "a statement begins with a name and a slash")
-                    .at(self.span(&first), "not a statement")
-                    .help("a statement is written `MARKER/7, PART = 2`; a line that goes on begins with a comma");
-                self.diagnostics.push(wrong);
-            }
-            return None;
-        };
-        let name = self.name(typed, &name_range, block.inactive)?;
-        let number = behind.trim_start();
-        let digits = number.len() - number.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-        let number_at = first.end - number.len();
-        let id = self.id(&number[..digits], number_at..number_at + digits);
-        let head_end = if digits > 0 { number_at + digits } else { first.end - behind.len() };
-        let mut arguments = Arguments {
-            splitter: self,
-            statement: name,
-            found: Vec::new(),
-            seen: HashMap::new(),
-            depth: 0,
-            closed: false,
-        };
-        arguments.piece(number_at + digits..first.end, false);
-        for piece in &block.pieces[1..] {
-            arguments.piece(piece.clone(), true);
-        }
-        let arguments = arguments.found;
-        let end = block.pieces.last().map_or(first.end, |piece| piece.end);
-        let mut statement = Statement {
-            name,
-            id,
-            arguments,
-            comments: block.comments,
-            view_name: block.view_name,
-            view_units: block.view_units,
-            inactive: block.inactive,
-            span: self.span(&(first.start..end)),
-            head: self.span(&(first.start..head_end)),
-        };
-        self.diagnostics.extend(contradictions::resolve(&mut statement));
-        if statement.inactive && self.diagnostics[before..].iter().any(Diagnostic::is_error) {
-            self.diagnostics.truncate(before);
-            let message = format!("{name} behind comment marks is not read");
-            let unread = Diagnostic::warning("dataset/inactive-not-read", message);
-            self.diagnostics.push(unread.at(self.span(&first), "left out"));
-            return None;
-        }
-        Some(statement)
-    }
-
-    fn name(&mut self, typed: &str, at: &Range<usize>, inactive: bool) -> Option<&'static str> {
-        let capitals = typed.to_ascii_uppercase();
-        match self.vocabulary.statement(typed) {
-            Found::One(name) if self.vocabulary.reads(name) => return Some(name),
-            Found::One(name) => {
-                let message = format!("{name} is not read: the model holds nothing of that kind");
-                let unread = Diagnostic::warning("dataset/statement-not-read", message);
-                self.diagnostics.push(unread.at(self.span(at), "left out").help("what refers to it is left out too"));
-            }
-            Found::Many => {
-                let begin: Vec<_> = self.beginning(typed).into_iter().map(|name| format!("`{name}`")).collect();
-                let message = format!("`{capitals}` can stand for more than one statement");
-                self.diagnostics.push(
-                    Diagnostic::error("dataset/ambiguous-statement", message)
-                        .at(self.span(at), "ambiguous")
-                        .note(format!("it begins {}", begin.join(", "))),
-                );
-            }
-            // A remark that looks like a statement is a remark.
-            Found::None if inactive => {}
-            Found::None => {
-                let mut unknown =
-                    Diagnostic::error("dataset/unknown-statement", format!("there is no statement `{capitals}`"))
-                        .at(self.span(at), "the name of a statement was expected");
-                if let Some(near) = suggest(typed, self.vocabulary.statements().iter().copied()) {
-                    unknown = unknown.fix(format!("did you mean `{near}`?"), self.span(at), near);
-                }
-                self.diagnostics.push(unknown);
-            }
-        }
-        None
-    }
-
-    fn beginning(&self, typed: &str) -> Vec<&'static str> {
-        let capitals = typed.to_ascii_uppercase();
-        self.vocabulary.statements().iter().copied().filter(|name| name.starts_with(&capitals)).collect()
-    }
-
-    fn id(&mut self, digits: &str, at: Range<usize>) -> Option<i64> {
-        if digits.is_empty() {
-            return None;
-        }
-        let id = digits.parse::<i64>().ok().filter(|id| (1..=i64::from(i32::MAX)).contains(id));
-        if id.is_none() {
-            let wrong = Diagnostic::error("dataset/id", format!("`{digits}` is no number of an object"))
-                .at(self.span(&at), "out of range")
-                .note("numbers go from 1 to 2147483647");
-            self.diagnostics.push(wrong);
-        }
-        id
-    }
+    arguments.found
 }
 
 /// The arguments of one statement while they are found.
@@ -307,10 +190,34 @@ impl Arguments<'_, '_> {
         end
     }
 
+    /// Where in a value the next argument begins, although no comma stands before it; that is reported.
+    fn run_on(&mut self, part: &Range<usize>) -> Option<usize> {
+        let text = &self.splitter.text[part.clone()];
+        let before = text[..text.find('=')?].trim_end();
+        let begin = before.trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len();
+        let (value, word) = before.split_at(begin);
+        let alone = value.ends_with(char::is_whitespace) && !value.trim().is_empty();
+        let found = self.splitter.vocabulary.argument(self.statement, word, false);
+        if !alone || value.contains('"') || value.trim_end().ends_with([',', '\\']) || !matches!(found, Found::One(_)) {
+            return None;
+        }
+        let at = self.splitter.span(&(part.start + begin..part.start + before.len()));
+        let missing = Diagnostic::error("dataset/missing-comma", format!("there is no comma before `{word}`"));
+        let written = format!(", {word}");
+        let missing = missing.at(at, "an argument begins here").fix(format!("write `{written}`"), at, written);
+        self.splitter.diagnostics.push(missing);
+        Some(begin)
+    }
+
     /// A value up to the next comma; returns where it ends.
     fn value(&mut self, part: Range<usize>) -> usize {
         let text = &self.splitter.text[part.clone()];
         let length = item_length(text);
+        if let Some(cut) = self.run_on(&(part.start..part.start + length)) {
+            self.push(part.start..part.start + cut);
+            self.closed = true;
+            return part.start + cut;
+        }
         let value = text[..length].trim_end();
         let ended = value.ends_with('\\');
         self.push(part.start..part.start + value.trim_end_matches('\\').len());
@@ -319,7 +226,9 @@ impl Arguments<'_, '_> {
     }
 
     /// An expression up to its backslash, or to a comma that is not within it.
-    fn expression(&mut self, part: Range<usize>) -> usize {
+    fn expression(&mut self, mut part: Range<usize>) -> usize {
+        let run_on = self.run_on(&part);
+        part.end = run_on.map_or(part.end, |cut| part.start + cut);
         let text = &self.splitter.text[part.clone()];
         for (at, byte) in text.bytes().enumerate() {
             match byte {
@@ -343,6 +252,7 @@ impl Arguments<'_, '_> {
             }
         }
         self.push(part.clone());
+        self.closed |= run_on.is_some();
         part.end
     }
 

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use model::{Array, Cell, CellKey, Database, ObjectId, Source, UnitsId, Value};
 use schema::{Count, Default, Field, Kind, Registry};
-use text::{Diagnostic, FileId, Span, suggest};
+use text::{Diagnostic, FileId, Span};
 
 use super::{
-    Entry, Loaded, Naming, Statements, entry, guess,
+    Entry, Loaded, Naming, Statements, guess,
     statement::{Argument, Statement},
     values::{self, Number},
 };
@@ -30,6 +30,8 @@ pub(crate) struct Builder<'a> {
     /// The units of the dataset with degrees, and with radians.
     pub(super) degrees: UnitsId,
     pub(super) radians: UnitsId,
+    /// Where the functions of objects stand.
+    pub(super) functions: Vec<(CellKey, Span)>,
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -74,6 +76,7 @@ pub(super) fn build(
         taken: HashMap::new(),
         degrees,
         radians,
+        functions: Vec::new(),
         diagnostics,
     };
     builder.units(&statements, old);
@@ -100,15 +103,15 @@ pub(super) fn build(
         builder.database.set_value(model, "comments", Value::Texts(comments));
     }
     super::in_order(&mut builder.diagnostics);
-    Ok(Loaded { model, diagnostics: builder.diagnostics })
+    Ok(Loaded { model, functions: builder.functions, diagnostics: builder.diagnostics })
 }
 
-/// Settings that are given in several statements as one of each: of what two say, the last one counts.
+/// Settings, and gravity, that are given in several statements as one of each: of what two say, the last one counts.
 fn merged(all: Vec<Statement>) -> (Vec<Statement>, Vec<Diagnostic>) {
     let mut merged: Vec<Statement> = Vec::with_capacity(all.len());
     let mut repeated = Vec::new();
     for statement in all {
-        let setting = statements::is_setting(statement.name) && !statement.inactive;
+        let setting = statement.name != "UNITS" && !statements::has_number(statement.name) && !statement.inactive;
         let earlier = merged.iter_mut().find(|s| setting && s.name == statement.name && !s.inactive);
         let Some(earlier) = earlier else {
             merged.push(statement);
@@ -137,7 +140,7 @@ fn is_name(name: &str) -> bool {
     !name.is_empty() && name.len() <= 200 && !name.contains(['.', '"', ':', '#', '\t'])
 }
 
-impl<'a> Builder<'a> {
+impl Builder<'_> {
     pub fn span(&self, range: &Range<usize>) -> Span {
         Span::new(self.file, range.start, range.end)
     }
@@ -145,54 +148,6 @@ impl<'a> Builder<'a> {
     pub fn report(&mut self, diagnostic: Diagnostic) {
         self.diagnostics.push(diagnostic);
     }
-
-    // ---- troubles ----
-
-    /// Reports a word that is none of those accepted.
-    pub fn unknown_word(&mut self, argument: &Argument, (typed, at): (&str, Range<usize>), accepted: &[&str]) {
-        let at = self.span(&at);
-        let message = format!("`{}` cannot be `{typed}`", argument.keyword);
-        let mut wrong = Diagnostic::error("dataset/unknown-word", message).at(at, "not known");
-        match suggest(typed, accepted.iter().copied()) {
-            Some(near) => wrong = wrong.fix(format!("did you mean `{near}`?"), at, near),
-            None => wrong = wrong.help(format!("it is one of {}", accepted.join(", "))),
-        }
-        self.report(wrong);
-    }
-
-    /// The word of an argument that takes one.
-    pub fn only<'s>(&mut self, argument: &'s Argument) -> Option<(&'s str, Range<usize>)>
-    where
-        'a: 's,
-    {
-        let mut words = argument.words(self.text);
-        if words.len() != 1 {
-            self.count(argument, words.len(), "1");
-        }
-        words.pop().filter(|_| words.is_empty())
-    }
-
-    /// Reports an argument that is understood, but that the model has no place for.
-    pub fn not_read(&mut self, entry: &Entry<'_>, argument: &Argument) {
-        let message = format!("`{}` of {} is not read: the model has no place for it", argument.keyword, entry.name());
-        self.report(Diagnostic::warning("dataset/argument-not-read", message).at(argument.span, "left out"));
-    }
-
-    /// Reports an argument without which the statement means nothing.
-    pub fn missing(&mut self, entry: &Entry<'_>, keyword: &str) {
-        let message = format!("{} has no `{keyword}`", entry.name());
-        let missing = Diagnostic::error("dataset/missing-argument", message);
-        self.report(missing.at(entry.statement.head, format!("`{keyword}` is missing")));
-    }
-
-    /// Reports an argument that is not given, and that the statement needs.
-    pub fn needs(&mut self, entry: &Entry<'_>, keyword: &str) {
-        if entry.statement.argument(keyword).is_none() {
-            self.missing(entry, keyword);
-        }
-    }
-
-    // ---- values ----
 
     /// The numbers of an argument with their places; `None`, and reported, if something else is there.
     pub fn list(&mut self, argument: &Argument) -> Option<Vec<(Number, Range<usize>)>> {
@@ -225,13 +180,6 @@ impl<'a> Builder<'a> {
         array
     }
 
-    pub fn count(&mut self, argument: &Argument, given: usize, wanted: &str) {
-        let values = if wanted == "1" { "value" } else { "values" };
-        let message = format!("`{}` takes {wanted} {values}, not {given}", argument.keyword);
-        let label = if given == 0 { "nothing is given".to_string() } else { format!("{given} given") };
-        self.report(Diagnostic::error("dataset/count", message).at(argument.span, label));
-    }
-
     /// Stores a value of the dataset's units.
     pub fn store(&mut self, id: ObjectId, field: &str, value: Value) {
         self.store_in(id, field, value, self.degrees);
@@ -262,6 +210,17 @@ impl<'a> Builder<'a> {
             return self.count(argument, list.len(), &wanted(field.count));
         }
         let d = field.dimension;
+        // Speeds of turning are angles over time, which their dimension does not show.
+        let material = d.length != 0 || d.mass != 0 || d.force != 0;
+        if material
+            && d.angle == 0
+            && let Some((_, range)) = list.iter().find(|(n, _)| n.degrees)
+        {
+            let message = format!("`{}` of {} is no angle: `D` makes degrees of it", argument.keyword, entry.name());
+            let at = self.span(range);
+            let degrees = Diagnostic::warning("dataset/degrees", message).at(at, "taken as degrees, in radians");
+            self.report(degrees.help("write an exponent with `E`"));
+        }
         let angle = statements::is_angle(d);
         let in_degrees = angle && list.iter().any(|(n, _)| n.degrees);
         let number = |n: &Number| match (n.degrees, in_degrees) {
@@ -270,6 +229,13 @@ impl<'a> Builder<'a> {
             _ => n.value,
         };
         let values: Vec<f64> = list.iter().map(|(n, _)| number(n)).collect();
+        if field.kind == Kind::Integer
+            && let Some((x, (_, range))) = values.iter().zip(list).find(|(x, _)| x.fract() != 0.0)
+        {
+            let message = format!("`{}` of {} is {x}: it must be a whole number", argument.keyword, entry.name());
+            let at = self.span(range);
+            return self.report(Diagnostic::error("dataset/number", message).at(at, "not whole"));
+        }
         if let Some((x, (_, range))) = values.iter().zip(list).find(|(x, _)| !field.limit.allows(**x)) {
             let message = format!("`{}` of {} is {x}: it must be {}", argument.keyword, entry.name(), field.limit);
             let at = self.span(range);
@@ -305,7 +271,13 @@ impl<'a> Builder<'a> {
             let shown: String = item.chars().take(40).collect();
             let message =
                 format!("`{}` needs the number of a {}, not `{shown}`", argument.keyword, statements.join(" or "));
-            self.report(Diagnostic::error("dataset/reference", message).at(at, "a number was expected"));
+            let mut wrong = Diagnostic::error("dataset/reference", message).at(at, "a number was expected");
+            if let Some(list) = values::list_of(item, |item| item.parse::<i64>().is_ok()) {
+                wrong = wrong.fix(format!("part them by commas: `{list}`"), at, list);
+            } else if values::is_word(item) {
+                wrong = wrong.help(format!("an argument of its own is written `{item} = ...`"));
+            }
+            self.report(wrong);
             return None;
         };
         let found = statements.iter().find_map(|s| self.numbers.get(&(*s, number)).copied());
@@ -340,6 +312,11 @@ impl<'a> Builder<'a> {
         let statements = self.statements_of(wanted, entry.statement.name, &argument.keyword);
         let items = argument.items(self.text);
         let given = items.len();
+        // What is no number at all tells more than how many there are.
+        if let Some(item) = items.iter().find(|(item, _)| item.parse::<i64>().is_err()).filter(|_| given > 1) {
+            self.object(entry, argument, item.clone(), &statements, wanted);
+            return;
+        }
         if given < field.count.least || given > field.count.most {
             return self.count(argument, given, &self::wanted(field.count));
         }
@@ -391,26 +368,5 @@ impl<'a> Builder<'a> {
             let Some(value) = Value::of_default(field) else { continue };
             self.store(entry.id, field.name, value);
         }
-    }
-
-    /// Says what of a statement nobody has read.
-    pub fn finish(&mut self, entry: &Entry<'_>) {
-        for argument in entry.left().collect::<Vec<_>>() {
-            self.not_read(entry, argument);
-        }
-    }
-
-    /// The number of a statement, which an object needs.
-    pub fn number_of(&mut self, statement: &Statement) -> Option<i64> {
-        // A number that is out of range has been named as that.
-        let given = self.text[statement.head.range()].ends_with(|c: char| c.is_ascii_digit());
-        if statement.id.is_none() && !given {
-            let message = format!("{} has no number", entry::name(statement));
-            let missing = Diagnostic::error("dataset/no-id", message);
-            self.report(
-                missing.at(statement.head, "a number was expected").help(format!("write `{}/1`", statement.name)),
-            );
-        }
-        statement.id
     }
 }

@@ -1,6 +1,6 @@
 //! Cells from words, texts and expressions, and any argument by the table of its class.
 
-use model::{Array, Value};
+use model::{Array, CellKey, Value};
 use schema::{Default, Field, Kind};
 use text::Diagnostic;
 
@@ -50,6 +50,9 @@ impl<'a> Builder<'a> {
     /// Stores an expression, or the constants of a subroutine.
     pub fn set_function(&mut self, entry: &Entry<'_>, name: &str, argument: &Argument) {
         let text = argument.value(self.text);
+        if text.is_empty() {
+            return self.count(argument, 0, "1");
+        }
         if let Some(constants) = user_call(&text)
             && entry.class.cell_index("user_function").is_some()
         {
@@ -87,6 +90,9 @@ impl<'a> Builder<'a> {
             let message = format!("a function of {} refers to {statement}/{number}, which is not there", entry.name());
             let unknown = Diagnostic::error("dataset/unknown-id", message);
             self.report(unknown.at(at, format!("there is no {statement}/{number}")));
+        }
+        if let Some(cell) = entry.class.cell_index(name) {
+            self.functions.push((CellKey::new(entry.id, cell), argument.value_span(self.file)));
         }
         self.store(entry.id, name, Value::Function(function));
     }

@@ -38,10 +38,11 @@ pub(crate) struct Blocks {
 }
 
 pub(crate) fn blocks(file: FileId, text: &str) -> Blocks {
-    let mut reader = Lines { file, found: Blocks::default(), waiting: Waiting::default(), open: None };
+    let mut reader =
+        Lines { file, found: Blocks::default(), waiting: Waiting::default(), open: None, broken_off: None };
     let mut offset = 0;
     let mut ended = false;
-    for (index, line) in text.split_inclusive('\n').enumerate() {
+    for (index, line) in text.split_inclusive(['\n', '\r']).enumerate() {
         let start = offset;
         offset += line.len();
         let line = line.trim_end_matches(['\n', '\r']);
@@ -126,6 +127,8 @@ struct Lines {
     found: Blocks,
     waiting: Waiting,
     open: Option<Block>,
+    /// What the last line of the open statement breaks off at, where something must follow.
+    broken_off: Option<char>,
 }
 
 impl Lines {
@@ -152,8 +155,16 @@ impl Lines {
                 self.comment(comment, start + line.len() - comment.len());
             }
         } else {
-            self.statements(trimmed, at);
+            let goes_on = self.broken_off.is_some() || begins_argument(trimmed);
+            if self.open.is_some() && goes_on && !begins_statement(trimmed) {
+                self.without_comma(trimmed, at);
+            } else {
+                self.statements(trimmed, at);
+            }
             self.inline(comment);
+        }
+        if !trimmed.is_empty() {
+            self.broken_off = trimmed.chars().last().filter(|c| matches!(c, ',' | '&' | '+' | '-' | '*' | '('));
         }
         false
     }
@@ -200,6 +211,25 @@ impl Lines {
                 .help("a statement begins with its name and a slash: `MARKER/7`");
             self.found.diagnostics.push(stray);
         }
+    }
+
+    /// A line that goes on although no comma leads it.
+    fn without_comma(&mut self, line: &str, at: usize) {
+        let word = line.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.')).unwrap_or(line.len());
+        let word = word.max(line.chars().next().map_or(0, char::len_utf8));
+        let span = Span::new(self.file, at, at + word);
+        let missing = Diagnostic::error("dataset/missing-comma", "a line that goes on begins with a comma");
+        let mut missing = missing.at(span, "goes on from the line before");
+        if self.broken_off == Some('&')
+            && let Some(before) = self.open.as_mut().and_then(|open| open.pieces.last_mut())
+        {
+            before.end -= 1;
+            missing = missing.note("`&` is for command files");
+        }
+        let begin = format!(", {}", &line[..word]);
+        self.found.diagnostics.push(missing.fix(format!("write `{begin}`"), span, begin));
+        self.close_inactive();
+        self.continuation(at..at + line.len());
     }
 
     /// A comment behind text.
@@ -267,6 +297,12 @@ pub(super) fn begins_statement(text: &str) -> bool {
     let text = text.trim_start();
     let word = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len();
     word > 1 && text.starts_with(|c: char| c.is_ascii_alphabetic()) && text[word..].trim_start().starts_with('/')
+}
+
+/// Whether a text begins like an argument: `NAME =`.
+fn begins_argument(text: &str) -> bool {
+    let word = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || c == '_').len();
+    word > 0 && text[word..].trim_start().starts_with('=')
 }
 
 /// The blank our writer, and people, put behind the mark.

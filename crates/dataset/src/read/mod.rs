@@ -11,14 +11,16 @@ mod functions;
 mod guess;
 mod lines;
 mod objects;
+mod splitter;
 mod statement;
+mod troubles;
 mod units;
 mod values;
 mod vocabulary;
 
 use std::ops::Range;
 
-use model::{Database, ObjectId};
+use model::{CellKey, Database, ObjectId};
 use schema::Registry;
 use text::{Diagnostic, FileId, Span};
 
@@ -27,11 +29,11 @@ pub(crate) use entry::Entry;
 pub use guess::looks_like_dataset;
 pub(crate) use lines::{END_OF_MODEL_COMMENTS, NOT_WRITTEN};
 pub use statement::{Argument, Statement};
-pub(crate) use values::unquoted;
+pub(crate) use values::{parse, unquoted};
 pub(crate) use vocabulary::{Form, Word};
 
-use arguments::Splitter;
 use lines::Block;
+use splitter::Splitter;
 use vocabulary::{Found, Vocabulary};
 
 /// How the title line of a dataset names the model.
@@ -80,6 +82,7 @@ pub fn read_statements(registry: &Registry, file: FileId, text: &str) -> Stateme
     }
     let mut trailing_comments = found.trailing;
     remarks.join(&mut trailing_comments, &mut Some(String::new()));
+    splitter.diagnostics.extend(statement_as_title(file, &found.title, &vocabulary));
     splitter.diagnostics.extend(behind_end(file, text, &vocabulary, &found.behind_end));
     in_order(&mut splitter.diagnostics);
     Statements {
@@ -119,6 +122,17 @@ impl Remarks {
     }
 }
 
+/// Says of a first line that looks like a statement that it is none.
+fn statement_as_title(file: FileId, title: &str, vocabulary: &Vocabulary) -> Option<Diagnostic> {
+    let (word, behind) = title.split_once('/').filter(|_| lines::begins_statement(title))?;
+    let argued = behind.trim_start().starts_with(|c: char| c.is_ascii_digit()) || behind.contains('=');
+    let known = matches!(vocabulary.statement(word.trim()), Found::One(_));
+    let message = "the first line is the title, whatever it says: it is read as no statement";
+    let at = Span::new(file, 0, title.len());
+    let left_out = Diagnostic::warning("dataset/statement-as-title", message).at(at, "left out");
+    (argued && known).then(|| left_out.help("put a line with a title before it"))
+}
+
 /// Says of statements behind END that nobody reads them.
 fn behind_end(file: FileId, text: &str, vocabulary: &Vocabulary, lines: &[Range<usize>]) -> Option<Diagnostic> {
     let known = |line: &&Range<usize>| {
@@ -151,6 +165,8 @@ pub struct Naming<'a> {
 #[derive(Clone, Debug)]
 pub struct Loaded {
     pub model: ObjectId,
+    /// Where the functions of its objects stand in the text.
+    pub functions: Vec<(CellKey, Span)>,
     pub diagnostics: Vec<Diagnostic>,
 }
 

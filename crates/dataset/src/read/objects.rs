@@ -133,11 +133,7 @@ impl<'a> Builder<'a> {
         for keyword in ["PART", "POINT_MASS"] {
             let Some(argument) = statement.argument(keyword) else { continue };
             let entry = Entry::new(statement, self.model, self.database.object(self.model).class);
-            let item = argument.items(self.text).into_iter().next();
-            let Some(item) = item else {
-                self.count(argument, 0, "1");
-                return None;
-            };
+            let item = self.only(argument)?;
             return self.object(&entry, argument, item, &[keyword], "body");
         }
         let flexible = ["FLEX_BODY", "FE_PART"].iter().find_map(|keyword| statement.argument(keyword));
@@ -165,7 +161,7 @@ impl<'a> Builder<'a> {
             return None;
         };
         let entry = Entry::new(statement, self.model, class);
-        let item = argument.items(self.text).into_iter().next()?;
+        let item = self.only(argument)?;
         let Some(marker) = self.object(&entry, argument, item, &["MARKER"], "any") else {
             self.leave_out(statement);
             return None;

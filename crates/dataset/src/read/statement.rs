@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use smallvec::SmallVec;
-use text::Span;
+use text::{FileId, Span};
 
 use super::{values, vocabulary::Form};
 
@@ -35,6 +35,14 @@ impl Argument {
                 };
                 texts.join(comma).trim().to_string()
             }
+        }
+    }
+
+    /// Where the value stands, from its first line to its last.
+    pub(crate) fn value_span(&self, file: FileId) -> Span {
+        match (self.parts.first(), self.parts.last()) {
+            (Some(first), Some(last)) => Span::new(file, first.start, last.end),
+            _ => self.span,
         }
     }
 

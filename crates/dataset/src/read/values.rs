@@ -34,6 +34,12 @@ pub(crate) fn no_number(text: &str, keyword: &str, at: Span) -> Diagnostic {
     let shown: String = text.chars().take(40).collect();
     let wrong = Diagnostic::error("dataset/number", format!("`{keyword}` needs a number, not `{shown}`"))
         .at(at, "a number was expected");
+    if let Some(list) = list_of(text, |item| parse(item).is_some()) {
+        return wrong.fix(format!("part them by commas: `{list}`"), at, list);
+    }
+    if is_word(text) {
+        return wrong.help(format!("an argument of its own is written `{text} = ...`"));
+    }
     let fortran = text
         .split_once(['d', 'D'])
         .filter(|(_, exponent)| exponent.trim_start_matches(['+', '-']).parse::<u32>().is_ok());
@@ -44,6 +50,17 @@ pub(crate) fn no_number(text: &str, keyword: &str, at: Span) -> Diagnostic {
         }
         None => wrong,
     }
+}
+
+/// What stands there with blanks between, with commas, if that makes it a list.
+pub(crate) fn list_of(text: &str, fits: impl Fn(&str) -> bool) -> Option<String> {
+    let items: Vec<_> = text.split_whitespace().collect();
+    (items.len() > 1 && items.iter().all(|item| fits(item))).then(|| items.join(", "))
+}
+
+/// Whether a text may be the name of an argument.
+pub(crate) fn is_word(text: &str) -> bool {
+    text.len() > 1 && text.bytes().all(|b| b.is_ascii_alphabetic() || b == b'_')
 }
 
 /// A text without its quotes.

@@ -189,7 +189,7 @@ pub(super) fn read_body<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         && let Some(values) = b.plain(argument)
     {
         if values.len() != 3 && values.len() != 6 {
-            b.count(argument, values.len(), "3 or 6");
+            return b.count(argument, values.len(), "3 or 6");
         }
         for (name, x) in INERTIAS.iter().zip(values) {
             b.store(e.id, name, Value::Number(x));

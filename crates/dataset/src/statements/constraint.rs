@@ -1,6 +1,7 @@
 //! JOINT, JPRIM and MOTION: the kind is a word, start values depend on it.
 
 use model::{ObjectId, Value};
+use text::Diagnostic;
 
 use super::{Chosen, function_or_user, number_field, numbers, reference};
 use crate::{
@@ -144,7 +145,8 @@ pub(super) fn read_joint<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         if here && let Some(argument) = e.take(keyword) {
             let Some(list) = b.list(argument) else { continue };
             if list.is_empty() || list.len() > 2 {
-                b.count(argument, list.len(), "2");
+                b.count(argument, list.len(), "1 or 2");
+                continue;
             }
             for (cell, one) in cells.into_iter().zip(&list) {
                 b.set_listed(e, cell, argument, std::slice::from_ref(one));
@@ -157,6 +159,21 @@ pub(super) fn read_motion<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     for (cell, words) in MOTION_CELLS {
         if let Some(word) = e.one_of(words) {
             b.store(e.id, cell, Value::Text(word.to_ascii_lowercase()));
+        }
+    }
+    let driven = ["JOINT", "I"].iter().any(|keyword| e.statement.argument(keyword).is_some());
+    if !driven {
+        let message = format!("{} drives nothing", e.name());
+        let nothing =
+            Diagnostic::error("dataset/missing-argument", message).at(e.statement.head, "no joint, no markers");
+        b.report(nothing.help("add `JOINT = ...`, or `I = ..., J = ...` and the axis"));
+    } else if e.statement.argument("JOINT").is_none() {
+        b.needs(e, "J");
+        if b.database.text(e.id, "axis").is_none() {
+            let [_, (_, axes), _] = MOTION_CELLS;
+            let message = format!("{} does not say which axis it drives", e.name());
+            let open = Diagnostic::error("dataset/no-kind", message).at(e.statement.head, "no axis");
+            b.report(open.help(format!("it is one of {}", axes.join(", "))));
         }
     }
     // Whether the start values are lengths or angles follows from what is driven.

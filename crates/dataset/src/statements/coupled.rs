@@ -186,6 +186,8 @@ pub(super) fn contact_words() -> Vec<Word> {
 
 pub(super) fn read_coupler<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     let joints = e.statement.argument("JOINTS").map_or(0, |argument| argument.items(b.text).len());
+    // Another number of joints is told of the joints.
+    let joints = if (2..=3).contains(&joints) { joints } else { 0 };
     if let Some(argument) = e.take("TYPE") {
         read_freedoms(b, e, argument, joints);
     }
@@ -224,8 +226,7 @@ fn read_scales(b: &mut Builder<'_>, e: &Entry<'_>, argument: &Argument, joints: 
         scales.insert(0, 1.0);
     }
     if joints > 0 && scales.len() != joints {
-        let wanted = if joints > 1 { format!("{} or {joints}", joints - 1) } else { "2 or 3".to_string() };
-        return b.count(argument, scales.len(), &wanted);
+        return b.count(argument, scales.len(), &format!("{} or {joints}", joints - 1));
     }
     b.store(e.id, "motion_multipliers", Value::Array(Array::column(scales)));
 }

@@ -2,12 +2,13 @@
 //! MATRIX, CURVE, SPLINE.
 
 use model::{Array, ObjectId, Value};
+use text::Diagnostic;
 
 use super::{Chosen, coupled::refuse, function_text, number_field, numbers, regular, user_function};
 use crate::{
     layout::Lines,
     number,
-    read::{Builder, Entry, Form, Statement, Word},
+    read::{Argument, Builder, Entry, Form, Statement, Word, parse},
     write::Writer,
 };
 
@@ -215,13 +216,22 @@ pub(super) fn read_matrix<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
             _ => return b.unknown_word(argument, (word, at), &["RORDER", "CORDER"]),
         };
         b.store(e.id, "input_order", Value::Text(order.to_string()));
+        let size = ["ROWS", "COLUMNS"].map(|keyword| e.statement.value(keyword, b.text));
+        let size = size.map(|size| size.and_then(|size| size.parse::<usize>().ok()));
+        if let ([Some(rows), Some(columns)], Some(values)) = (size, e.statement.argument("VALUES")) {
+            let given = values.items(b.text).len();
+            if rows.checked_mul(columns) != Some(given) {
+                e.take("VALUES");
+                b.count(values, given, &format!("{rows} times {columns}"));
+            }
+        }
     }
     if e.flag("SPARSE")
         && let Some(argument) = e.take("ENTRIES")
         && let Some(entries) = b.plain(argument)
     {
         if entries.len() % 3 != 0 {
-            b.count(argument, entries.len(), "three for each entry: row, column,");
+            return b.count(argument, entries.len(), "three for each entry, row, column and value:");
         }
         for (cell, offset) in [("row_index", 0), ("column_index", 1), ("values", 2)] {
             let column: Vec<f64> = entries.chunks_exact(3).map(|entry| entry[offset]).collect();
@@ -259,6 +269,9 @@ pub(super) fn read_curve<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 /// A surface gives a row of values for each value of its second axis, which leads the row.
 pub(super) fn read_spline<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     let rows = e.take_all("Y");
+    if let Some(argument) = e.statement.argument("X") {
+        rising(b, e, argument);
+    }
     let points = e.statement.argument("X").map(|argument| argument.items(b.text).len());
     if let Some(argument) = e.take("FUNCTION") {
         b.set_function(e, "function", argument);
@@ -291,6 +304,16 @@ pub(super) fn read_spline<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     }
     b.store(e.id, "z", Value::Array(Array::column(z)));
     b.store(e.id, "y", Value::Array(Array::column(y)));
+}
+
+/// Names the first value on the axis that does not rise.
+fn rising(b: &mut Builder<'_>, e: &Entry<'_>, argument: &Argument) {
+    let items = argument.items(b.text);
+    let values: Vec<_> = items.iter().map_while(|(item, _)| parse(item)).map(|n| n.value).collect();
+    let Some(at) = values.windows(2).position(|pair| pair[0] >= pair[1]).and_then(|k| items.get(k + 1)) else { return };
+    let (value, at) = (at.0, b.span(&at.1));
+    let message = format!("`X` of {} goes back to {value}: it must rise from value to value", e.name());
+    b.report(Diagnostic::error("dataset/not-rising", message).at(at, "not above the one before"));
 }
 
 pub(super) fn read_sensor<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {

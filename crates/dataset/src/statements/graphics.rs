@@ -200,6 +200,9 @@ pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         "block" => {
             e.flag("BOX");
             marker(b, e, "CORNER", "corner_marker");
+            for keyword in ["X", "Y", "Z"] {
+                b.needs(e, keyword);
+            }
             let corner = ["X", "Y", "Z"].map(|keyword| e.take(keyword).and_then(|argument| b.exactly::<1>(argument)));
             if let [Some([x]), Some([y]), Some([z])] = corner {
                 b.store(e.id, "diag_corner_coords", Value::Array(Array::column(vec![x, y, z])));
@@ -210,6 +213,9 @@ pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
             e.flag(word);
             marker(b, e, "CM", "center_marker");
             for (cell, keyword, omitted) in *arguments {
+                if omitted.is_none() {
+                    b.needs(e, keyword);
+                }
                 if let Some(argument) = e.take(keyword) {
                     b.set_numbers(e, cell, argument);
                 } else if let Some(full) = omitted.filter(|_| *cell == "angle_extent") {
@@ -223,6 +229,9 @@ pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
 
 /// The element whose arrow is drawn.
 fn read_force<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    for keyword in ["ETYPE", "EID"] {
+        b.needs(e, keyword);
+    }
     let (kind, number) = (e.take("ETYPE"), e.take("EID"));
     let (Some(kind), Some(number)) = (kind, number) else { return };
     let typed = kind.value(b.text).to_ascii_uppercase();
@@ -231,8 +240,7 @@ fn read_force<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         let schema::Kind::Object(_, wanted) = field.kind else { continue };
         let classes = b.registry.classes.iter().filter(|class| class.is(wanted));
         let Some(statement) = classes.filter_map(|class| class.statement).find(|s| *s == typed) else { continue };
-        let item = number.items(b.text).into_iter().next();
-        if let Some(item) = item
+        if let Some(item) = b.only(number)
             && let Some(object) = b.object(e, number, item, &[statement], wanted)
         {
             b.store(e.id, cell, Value::Object(object));

@@ -17,7 +17,7 @@ mod vector;
 pub(crate) use alternatives::choices;
 pub(crate) use graphics::moves;
 pub(crate) use gravity::{NAME as GRAVITY, gravity};
-pub(crate) use reading::{Chosen, REQUIRED, class_of, read, required, words};
+pub(crate) use reading::{Chosen, REQUIRED, class_of, has_number, read, required, words};
 pub(crate) use regular::zero_if_left_out;
 pub(crate) use settings::{is_setting, read_setting, setting_names, setting_words, settings};
 

@@ -1,7 +1,9 @@
 //! Which class a statement makes, which words it knows beside those of the class, and how it is read
 //! where the table of the class is not enough.
 
-use super::{body, constraint, coupled, data, graphics, gravity, request, vector};
+use super::{body, constraint, coupled, data, graphics, gravity, request, settings::is_setting, vector};
+use text::Diagnostic;
+
 use crate::read::{Builder, Entry, Form, Statement, Word};
 
 /// What a statement makes.
@@ -20,13 +22,25 @@ pub(crate) const REQUIRED: &[(&str, &[&str])] = &[
     ("BUSHING", &["I", "J"]),
     ("FIELD", &["I", "J"]),
     ("SPRINGDAMPER", &["I", "J"]),
-    ("SFORCE", &["I", "J"]),
+    ("SFORCE", &["I", "J", "FUNCTION"]),
+    ("MOTION", &["FUNCTION"]),
+    ("GCON", &["FUNCTION"]),
+    ("VARIABLE", &["FUNCTION"]),
+    ("DIFF", &["FUNCTION"]),
+    ("SENSOR", &["FUNCTION"]),
     ("VFORCE", &["I", "JFLOAT"]),
     ("VTORQUE", &["I", "JFLOAT"]),
     ("GFORCE", &["I", "JFLOAT"]),
     ("JOINT", &["I", "J"]),
     ("JPRIM", &["I", "J"]),
     ("COUPLER", &["JOINTS"]),
+    ("GEAR", &["JOINTS", "CV"]),
+    ("CVCV", &["ICURVE", "JCURVE"]),
+    ("NFORCE", &["I", "J"]),
+    ("FRICTION", &["JOINT"]),
+    ("LSE", &["X", "A"]),
+    ("TFSISO", &["X", "U", "Y", "NUMERATOR", "DENOMINATOR"]),
+    ("STRING", &["STRING"]),
     ("PTCV", &["I", "JFLOAT", "RM", "CURVE"]),
 ];
 
@@ -44,6 +58,11 @@ const UNITS: &[Word] = &[
     ("SYSTEM", Form::Value),
 ];
 const TURNS: &[Word] = &[("TRANSLATIONAL", Form::Flag), ("ROTATIONAL", Form::Flag)];
+
+/// Whether there may be several of a statement, told apart by numbers.
+pub(crate) fn has_number(statement: &str) -> bool {
+    !(is_setting(statement) || statement == "UNITS" || statement == "ACCGRAV")
+}
 
 /// The words a statement knows beside the keywords of its classes.
 pub(crate) fn words(statement: &str) -> Vec<Word> {
@@ -101,6 +120,7 @@ pub(crate) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
         "MOTION" => constraint::read_motion(b, e),
         "SFORCE" => type_of_freedom(b, e),
         "SPRINGDAMPER" => {
+            untold(b, e, &["TRANSLATIONAL", "ROTATIONAL"], "TRANSLATIONAL");
             e.flag("TRANSLATIONAL");
             e.flag("ROTATIONAL");
         }
@@ -121,8 +141,17 @@ pub(crate) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
     }
 }
 
+/// Says of a statement that leaves a choice open what is taken.
+pub(super) fn untold(b: &mut Builder<'_>, e: &Entry<'_>, words: &[&str], taken: &str) {
+    if !words.iter().any(|word| e.statement.has(word)) {
+        let message = format!("{} does not say which of {} it is: taken is `{taken}`", e.name(), words.join(", "));
+        b.report(Diagnostic::warning("dataset/kind-taken", message).at(e.statement.head, "not told").help("add it"));
+    }
+}
+
 /// `TRANSLATIONAL` or `ROTATIONAL`, in a cell of its own.
 fn type_of_freedom<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    untold(b, e, &["TRANSLATIONAL", "ROTATIONAL"], "TRANSLATIONAL");
     if let Some(word) = e.one_of(&["TRANSLATIONAL", "ROTATIONAL"]) {
         b.store(e.id, "type_of_freedom", model::Value::Text(word.to_ascii_lowercase()));
     }

@@ -2,6 +2,7 @@
 
 use model::{ObjectId, Value};
 use schema::Kind;
+use text::Diagnostic;
 
 use super::{function_text, reference, texts, user_function};
 use crate::{
@@ -111,6 +112,14 @@ pub(super) fn words() -> Vec<Word> {
 }
 
 pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    let (marker, kind) = (e.statement.argument("I").is_some(), KINDS.iter().any(|kind| e.statement.has(kind)));
+    if kind {
+        b.needs(e, "I");
+    } else if marker {
+        let message = format!("{} does not say what it records of its markers", e.name());
+        let unknown = Diagnostic::error("dataset/no-kind", message).at(e.statement.head, "nothing is recorded");
+        b.report(unknown.help(format!("it is one of {}", KINDS.join(", "))));
+    }
     if let Some(word) = e.one_of(&KINDS) {
         b.store(e.id, "output_type", Value::Text(word.to_ascii_lowercase()));
     }

@@ -2,6 +2,7 @@
 
 use model::ObjectId;
 use schema::Kind;
+use text::Diagnostic;
 
 use super::{function_text, reference, user_function};
 use crate::{
@@ -48,6 +49,14 @@ pub(super) fn vector(w: &mut Writer<'_>, id: ObjectId, lines: &mut Lines) {
 pub(super) const WORDS: &[Word] = &[("FUNCTION", Form::Function)];
 
 pub(super) fn read<'a>(b: &mut Builder<'a>, e: &mut Entry<'a>) {
+    let given = |field: &schema::Field| field.keyword.is_some_and(|keyword| e.statement.argument(keyword).is_some());
+    let components = || e.class.fields().filter(|field| field.kind == Kind::Function);
+    if e.statement.argument("FUNCTION").is_none() && components().next().is_some() && !components().any(given) {
+        let keywords: Vec<_> = components().filter_map(|field| field.keyword).collect();
+        let message = format!("{} has no function", e.name());
+        let nothing = Diagnostic::error("dataset/missing-argument", message).at(e.statement.head, "it does nothing");
+        b.report(nothing.help(format!("give one of {}, or `FUNCTION = USER(...)`", keywords.join(", "))));
+    }
     if let Some(argument) = e.take("FUNCTION") {
         b.set_function(e, "function", argument);
     }

@@ -152,6 +152,41 @@ const CASES: &[Case] = &[
         "FUNC",
         "remove `SCALES`",
     ),
+    ("MARKER/4\n PART = 1\n, QP = 1,2,3", "dataset/missing-comma", "PART", "write `, PART`"),
+    ("MARKER/4, PART = 1,\nQP = 1,2,3", "dataset/missing-comma", "QP", "begins with a comma"),
+    ("MARKER/4, PART = 1, &\nQP = 1,2,3", "dataset/missing-comma", "QP", "`&` is for command files"),
+    ("MARKER/4, PART = 1, QP = 1,\n2,3", "dataset/missing-comma", "2", "write `, 2`"),
+    ("MARKER/4, PART = 1 QP = 1,2,3", "dataset/missing-comma", "QP", "no comma before `QP`"),
+    ("REQUEST/1, F2 = DX(3,1) F3 = TIME", "dataset/missing-comma", "F3", "write `, F3`"),
+    ("MARKER/4, PART = 1, QP = 1 2 3", "dataset/number", "1 2 3", "commas: `1, 2, 3`"),
+    ("JOINT/1, FIXED, I = 3 1, J = 2", "dataset/reference", "3 1", "commas: `3, 1`"),
+    ("MARKER/-4, PART = 1", "dataset/id", "-4", "whole number"),
+    ("MARKER/4.5, PART = 1", "dataset/id", "4.5", "whole number"),
+    ("MARKER/4x, PART = 1", "dataset/id", "4x", "whole number"),
+    ("MARKER 4, PART = 1", "dataset/not-a-statement", "MARKER 4, PART = 1", "write `MARKER/`"),
+    ("MARKER/4, PART = 1, 2", "dataset/count", "PART = 1, 2", "takes 1 value, not 2"),
+    ("VARIABLE/1, FUNCTION =", "dataset/count", "FUNCTION", "nothing is given"),
+    ("VARIABLE/1, IC = 1", "dataset/missing-argument", "VARIABLE/1", "`FUNCTION` is missing"),
+    ("MOTION/1, FUNCTION = 1", "dataset/missing-argument", "MOTION/1", "drives nothing"),
+    ("MOTION/1, I=3, J=1, FUNCTION = 1", "dataset/no-kind", "MOTION/1", "X, Y, Z, B1, B2, B3"),
+    ("REQUEST/1, I=3, J=1", "dataset/no-kind", "REQUEST/1", "DISPLACEMENT, VELOCITY"),
+    ("REQUEST/1, FORCE", "dataset/missing-argument", "REQUEST/1", "`I` is missing"),
+    ("SFORCE/1, I=3, J=1, FUNCTION=1", "dataset/kind-taken", "SFORCE/1", "taken is `TRANSLATIONAL`"),
+    ("SPRINGDAMPER/1, I=3, J=1, K=1", "dataset/kind-taken", "SPRINGDAMPER/1", "taken is `TRANSLATIONAL`"),
+    ("GFORCE/1, I=3, JFLOAT=4\nMARKER/4, PART=1, FLOATING", "dataset/missing-argument", "GFORCE/1", "FX, FY, FZ"),
+    ("PART/3, MASS=1, IP=1,2", "dataset/count", "IP=1,2", "3 or 6 values, not 2"),
+    ("JOINT/1, REVOLUTE, I=3, J=1, IC=1,2,3", "dataset/count", "IC=1,2,3", "1 or 2 values, not 3"),
+    ("MATRIX/1, SPARSE, ENTRIES=1,1", "dataset/count", "ENTRIES=1,1", "three for each entry"),
+    ("PART/3, MASS=1D", "dataset/degrees", "1D", "exponent with `E`"),
+    ("ACCGRAV/KGRAV=-1\nACCGRAV/KGRAV=-2", "dataset/second-setting", "ACCGRAV/", "the last one counts"),
+    ("ACCGRAV/1, KGRAV=-1", "dataset/number-not-read", "1", "write `ACCGRAV/`"),
+    ("INTEGRATOR/3, GSTIFF", "dataset/number-not-read", "3", "INTEGRATOR has no number"),
+    ("EQUILIBRIUM/MAXIT=2.5", "dataset/number", "2.5", "a whole number"),
+    ("GRAPHICS/1, BOX, CORNER=1, X=1, Y=1", "dataset/missing-argument", "GRAPHICS/1", "`Z` is missing"),
+    ("GRAPHICS/1, CIRCLE, CM=1", "dataset/missing-argument", "GRAPHICS/1", "`RADIUS` is missing"),
+    ("GRAPHICS/1, FORCE, EMARKER=1, ETYPE=BEAM", "dataset/missing-argument", "GRAPHICS/1", "`EID` is missing"),
+    ("MATRIX/1, FULL=R, ROWS=2, COLUMNS=2, VALUES=1,2,3", "dataset/count", "VALUES=1,2,3", "2 times 2 values"),
+    ("SPLINE/1, X=1,2,2,3, Y=1,2,3,4", "dataset/not-rising", "2", "rise from value to value"),
     ("PART/3, EXACT=X:Q", "dataset/unknown-word", "Q", "PSI"),
     (
         "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
@@ -184,6 +219,9 @@ fn what_is_missing_from_the_file_is_named() {
     assert_eq!(codes("t\nUNITS/SYSTEM=MKS\nPART/1, GROUND\n"), ["dataset/missing-end"]);
     assert_eq!(codes("t\nPART/1, GROUND\nEND\n"), ["dataset/no-units"]);
     assert_eq!(codes("t\nUNITS/SYSTEM=MKS\nPART/2, MASS=1\nEND\n"), ["dataset/no-ground"]);
+    assert_eq!(codes("PART/1, GROUND\nUNITS/SYSTEM=MKS\nEND\n"), ["dataset/statement-as-title", "dataset/no-ground"]);
+    // Lines of old systems end with a carriage return alone.
+    assert_eq!(codes("t\rUNITS/SYSTEM=MKS\rPART/1, GROUND\r"), ["dataset/missing-end"]);
     assert_eq!(codes("t\n, A = 1\nEND\n"), ["dataset/stray-continuation", "dataset/empty"]);
     assert_eq!(codes(""), ["dataset/missing-end", "dataset/empty"]);
     assert_eq!(
@@ -233,6 +271,24 @@ fn of_two_statements_of_settings_the_last_one_counts() {
     assert!(written.contains("OUTPUT/\n, REQSAVE\n, GRSAVE\n!\n"), "{written}");
 }
 
+/// What is right although it looks odd: speeds of turning in degrees, tabs, comments and blank lines
+/// between the lines of a statement, small letters, a number of an object with zeros before it.
+#[test]
+fn what_is_odd_but_right_is_read_without_a_word() {
+    for text in [
+        "PART/3, WX = 1D",
+        "marker/0004\n! between\n\n\t,\tpart\t=\t02 ! behind\n!\n,qp=1,\n! again\n, 2,3",
+        "SFORCE/1,TRAN,I=3,J=1,FUNCTION = STEP(TIME,\n! between\n,\t0,0,1,\n,1)*DX(\t3,\t1)",
+        "MARKER/4, PART=1, QP=1,2,3,\n, REULER=0,0,1,",
+        "MARKER/4,PART=1;MARKER/5,PART=1",
+        "COUPLER/1,JOINTS=1,2,TYPE=Trans:R,SCALES=2\nJOINT/1,TRAN,I=3,J=1\nJOINT/2,CYL,I=3,J=2",
+        "SPRINGDAMPER/1, ROTATION, I=3, J=1, KT=2",
+    ] {
+        assert_eq!(troubles(&format!("{text}\nEND\n")).0, [], "{text}");
+        assert_eq!(troubles(&format!("{text}\nEND\n").replace('\n', "\r\n")).0, [], "{text}");
+    }
+}
+
 /// A dataset that a command file names is refused where it is named, before a line of it is run.
 #[test]
 fn a_dataset_that_commands_read_is_told_once() {
@@ -268,4 +324,17 @@ fn files_of_the_other_kind_are_told_from_their_text() {
         assert!(one.helps[0].text.contains(help), "{:?}", one.helps);
         assert_eq!(session.model(), None);
     }
+}
+
+/// What is wrong in a function is told where the dataset gives it.
+#[test]
+fn functions_of_datasets_are_checked_at_their_places() {
+    let desk = Desk::new();
+    let text = format!("{HEAD}VARIABLE/1\n, FUNCTION = STEP(TIME, 0,\n, 0, 1\nEND\n");
+    let mut session = quiet();
+    assert_eq!(session.read(&desk.put("m.adm", &text)).failed, 0);
+    let [one] = &session.check_functions()[..] else { panic!("{:#?}", session.check_functions()) };
+    assert_eq!(one.code, "function/incomplete");
+    let at = one.primary.as_ref().unwrap().span;
+    assert_eq!(session.sources().slice(at).trim(), "STEP(TIME, 0,\n, 0, 1");
 }
