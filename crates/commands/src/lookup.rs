@@ -1,5 +1,6 @@
 //! Names typed in commands: which object is meant, and where a new one goes.
 
+use expressions::glob;
 use model::{Database, ObjectId, name_steps, quoted, split_name};
 use schema::{Class, Registry};
 use smallvec::{SmallVec, smallvec};
@@ -7,7 +8,7 @@ use text::{Diagnostic, Severity, Span};
 
 use crate::{
     journal::PATTERN,
-    words::{did_you_mean, glob, is_pattern, nearest},
+    words::{did_you_mean, is_pattern, nearest},
 };
 
 /// A place for a new object.
@@ -108,28 +109,7 @@ pub fn find_all(
     if !is_pattern(name) {
         return find(database, registry, name, wanted, span).map(|id| vec![id]);
     }
-    let everywhere = name.trim_start_matches('.').chars().all(|c| c == '*');
-    let steps = split_name(name.strip_prefix('.').unwrap_or(name));
-    let mut found: Vec<ObjectId> = Vec::new();
-    if name.starts_with('.') && !everywhere {
-        let mut level: Vec<ObjectId> = matching(database, database.roots(), &steps[0]);
-        for step in &steps[1..] {
-            level = level.iter().flat_map(|id| matching(database, &database.object(*id).children, step)).collect();
-        }
-        found.extend(level.into_iter().filter(|id| database.object(*id).class.is(wanted)));
-    } else {
-        let last = steps.last().map_or("*", String::as_str);
-        let below: Vec<ObjectId> = if name.starts_with('.') {
-            database.ids().collect()
-        } else {
-            database.current("model").map(|m| database.subtree(m)).unwrap_or_default()
-        };
-        found.extend(below.into_iter().filter(|id| {
-            let object = database.object(*id);
-            object.class.is(wanted) && glob(last, &object.name)
-        }));
-        found.sort();
-    }
+    let found = meant_by(database, name, wanted);
     if found.is_empty() {
         let word = word_of(registry, wanted);
         return Err(Diagnostic::error("name/not-found", format!("no {} matches `{name}`", word.to_lowercase()))
@@ -167,14 +147,48 @@ pub fn wrapped(text: &str, names: &[String]) -> Vec<String> {
     lines
 }
 
+/// Objects of a class or family that a pattern means, in order of creation.
+fn meant_by(database: &Database, name: &str, wanted: &str) -> Vec<ObjectId> {
+    let fitting = |mut found: Vec<ObjectId>| {
+        found.retain(|id| database.object(*id).class.is(wanted));
+        found
+    };
+    let from_root = name.strip_prefix('.');
+    if from_root.is_some_and(|rest| rest.chars().all(|c| c == '*')) {
+        return fitting(database.ids().collect());
+    }
+    let steps = split_name(from_root.unwrap_or(name));
+    let Some((first, rest)) = steps.split_first() else { return Vec::new() };
+    let meant = |place: &[ObjectId]| fitting(follow(database, matching(database, place, first), rest));
+    if from_root.is_some() {
+        return meant(database.roots());
+    }
+    // As a partial name is searched: in the current part, in the model, from the top, and then
+    // anywhere below the model. A pattern that stands alone means what is anywhere below the model
+    // first: the model itself only where nothing else is meant.
+    let model = database.current("model");
+    let below = || model.map(|m| database.subtree(m).split_off(1)).unwrap_or_default();
+    let children = |name: &str| database.current(name).map(|id| database.object(id).children.clone());
+    let near = ["part", "body", "model"].into_iter().filter(|_| !rest.is_empty()).filter_map(children);
+    let top = || database.roots().to_vec();
+    let mut places: Vec<Vec<ObjectId>> = near.collect();
+    places.extend(if rest.is_empty() { [below(), top()] } else { [top(), below()] });
+    places.iter().map(|place| meant(place)).find(|found| !found.is_empty()).unwrap_or_default()
+}
+
+/// Follows patterns down from objects; each is found once, in order of creation.
+fn follow(database: &Database, from: Vec<ObjectId>, steps: &[String]) -> Vec<ObjectId> {
+    let mut level = from;
+    for step in steps {
+        level = level.iter().flat_map(|id| matching(database, &database.object(*id).children, step)).collect();
+    }
+    level.sort_unstable();
+    level.dedup();
+    level
+}
+
 fn matching(database: &Database, ids: &[ObjectId], pattern: &str) -> Vec<ObjectId> {
-    ids.iter()
-        .copied()
-        .filter(|id| {
-            let object = database.object(*id);
-            glob(pattern, &object.name)
-        })
-        .collect()
+    ids.iter().copied().filter(|id| glob(pattern, &database.object(*id).name)).collect()
 }
 
 fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str, span: Span) -> Diagnostic {

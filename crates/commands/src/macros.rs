@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use expressions::glob;
 use model::{ObjectId, Value, quoted};
 use schema::{Class, Count, Field, Group, Kind};
 use syntax::command::{Argument, ItemKind};
@@ -14,7 +15,7 @@ use crate::{
     lookup,
     macro_text::{Bound, Formal, find_formals, substitute},
     tree::{Parameter, Role},
-    words::{Match, glob, match_word},
+    words::{Match, match_word},
 };
 
 /// What is kept of a macro.

@@ -106,39 +106,6 @@ fn distance(a: &str, b: &str, limit: usize) -> usize {
     rows[a.len()][b.len()]
 }
 
-/// Whether `name` matches a pattern with `*`, `?`, `[abc]` and `{a,b}`, ignoring case.
-pub fn glob(pattern: &str, name: &str) -> bool {
-    let pattern: Vec<char> = pattern.to_ascii_lowercase().chars().collect();
-    let name: Vec<char> = name.to_ascii_lowercase().chars().collect();
-    glob_at(&pattern, &name, 0)
-}
-
-fn glob_at(pattern: &[char], name: &[char], depth: usize) -> bool {
-    if depth > 200 {
-        return false;
-    }
-    match pattern.first() {
-        None => name.is_empty(),
-        Some('*') => (0..=name.len()).any(|skip| glob_at(&pattern[1..], &name[skip..], depth + 1)),
-        Some('?') => !name.is_empty() && glob_at(&pattern[1..], &name[1..], depth + 1),
-        Some('[') => {
-            let Some(close) = pattern.iter().position(|c| *c == ']') else { return false };
-            let Some(c) = name.first() else { return false };
-            let set = &pattern[1..close];
-            let inside = set.contains(c) || set.windows(3).any(|w| w[1] == '-' && (w[0]..=w[2]).contains(c));
-            inside && glob_at(&pattern[close + 1..], &name[1..], depth + 1)
-        }
-        Some('{') => {
-            let Some(close) = pattern.iter().position(|c| *c == '}') else { return false };
-            pattern[1..close].split(|c| *c == ',').any(|choice| {
-                let whole: Vec<char> = choice.iter().chain(&pattern[close + 1..]).copied().collect();
-                glob_at(&whole, name, depth + 1)
-            })
-        }
-        Some(c) => name.first() == Some(c) && glob_at(&pattern[1..], &name[1..], depth + 1),
-    }
-}
-
 /// Whether a name is a pattern.
 pub fn is_pattern(name: &str) -> bool {
     let mut quoted = false;
@@ -177,14 +144,5 @@ mod tests {
         assert_eq!(guess("lenght"), Some(("did you mean `length`?".into(), Some("length".into()))));
         assert_eq!(guess("ixy"), Some(("did you mean `ixx`?".into(), None)));
         assert_eq!(guess("mass"), None);
-    }
-
-    #[test]
-    fn patterns_match_as_documented() {
-        assert!(glob("f?d", "FED"));
-        assert!(glob("left_*", "left_"));
-        assert!(glob("m[abc]x", "mbx") && !glob("m[abc]x", "mdx"));
-        assert!(glob("{a,b}1", "b1") && !glob("{a,b}1", "c1"));
-        assert!(!glob("[", "["));
     }
 }

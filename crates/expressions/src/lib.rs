@@ -21,6 +21,7 @@ mod evaluate;
 mod functions;
 
 mod cells;
+mod pattern;
 mod print;
 mod unit_help;
 
@@ -31,6 +32,7 @@ pub use dimension::{is_rate_of_angle, radians_per_time};
 pub use evaluate::{Evaluated, evaluate};
 pub use functions::{FunctionInfo, functions, refused_functions, sprintf};
 pub use names::{find_object, object_of};
+pub use pattern::glob;
 pub use print::{number_text, print};
 pub use scope::Scope;
 pub use unit_help::with_units;

@@ -113,8 +113,15 @@ impl Interpreter {
         let (groups, others): (Vec<_>, Vec<_>) =
             dependents.into_iter().partition(|d| self.database.object(*d).class.id == "group");
         if !others.is_empty() {
+            // Of several the first that is needed; it may be needed only together with others.
+            let needed = chosen.iter().find_map(|id| {
+                let mut users = self.dependents_of(&self.database.subtree(*id));
+                users.retain(|user| others.contains(user));
+                (!users.is_empty()).then_some((*id, users))
+            });
+            let Some((id, others)) = needed.or_else(|| Some((*chosen.first()?, others))) else { return Ok(()) };
             let names: Vec<String> = others.iter().take(16).map(|d| self.database.full_name(*d)).collect();
-            let what = chosen.first().map(|id| self.database.full_name(*id)).unwrap_or_default();
+            let what = self.database.full_name(id);
             return Err(vec![
                 Diagnostic::error(
                     "name/has-dependents",

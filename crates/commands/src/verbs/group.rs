@@ -155,7 +155,16 @@ fn chosen(interpreter: &mut Interpreter, call: &Call) -> Outcome<Vec<ObjectId>> 
     if interpreter.flag_argument(call, "expand_groups")? == Some(true) {
         found = shared::expanded(&interpreter.database, &found);
     }
+    let before = found.len();
     shared::filter_by_type(interpreter, call, &mut found)?;
+    if before > 0 && found.is_empty() {
+        let warning = Diagnostic::warning("group/empty", format!("none of the {before} objects is of this type"))
+            .at(call.argument("type_filter").map_or(call.span, |a| a.value_span), "leaves nothing")
+            .help(
+                "`expand_groups = yes` takes the members of groups; `.model.*` means children alone, `.*` everything",
+            );
+        interpreter.complain(vec![warning]);
+    }
     let mut once = indexmap::IndexSet::new();
     found.retain(|id| once.insert(*id));
     Ok(found)
@@ -168,12 +177,15 @@ fn chosen_or_missing(interpreter: &mut Interpreter, call: &Call) -> Outcome<Vec<
     chosen(interpreter, call)
 }
 
-fn set_members(interpreter: &mut Interpreter, group: ObjectId, members: Vec<ObjectId>) {
+/// A group is no member of itself, though a pattern may mean it too.
+fn set_members(interpreter: &mut Interpreter, group: ObjectId, mut members: Vec<ObjectId>) {
+    members.retain(|member| *member != group);
     interpreter.database.set_value(group, "objects_in_group", Value::Objects(members));
 }
 
 fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
     let model = interpreter.database.current("model");
+    let members = chosen(interpreter, call)?;
     let group = if let Some(argument) = call.argument("group_name") {
         let typed = interpreter.text_argument(call, argument)?;
         interpreter.new_group(&typed, model, argument.value_span)?
@@ -182,7 +194,6 @@ fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome<Flow> {
         let name = interpreter.generate_name(class, model);
         interpreter.new_group(&name, model, call.keywords)?
     };
-    let members = chosen(interpreter, call)?;
     if call.argument("objects_in_group").is_some() {
         set_members(interpreter, group, members);
     }

@@ -2,7 +2,8 @@
 
 use model::{Database, ObjectId, Value, quoted};
 
-use super::{Arguments, Function, function, momentary, searching, strings::matches};
+use super::{Arguments, Function, function, momentary, searching};
+use crate::pattern::glob;
 use crate::{
     arithmetic::flag,
     attributes::{attribute, type_word},
@@ -82,7 +83,7 @@ pub const TABLE: &[Function] = &[
     }),
     searching("DB_FILTER_NAME", "objects, pattern", "objects whose names fit a pattern", |a| {
         let (mut objects, pattern) = (a.objects(0)?, a.text(1)?);
-        objects.retain(|o| a.database().get(*o).is_some_and(|o| matches(&pattern, &o.name)));
+        objects.retain(|o| a.database().get(*o).is_some_and(|o| glob(&pattern, &o.name)));
         Ok(Value::Objects(objects))
     }),
     function("DB_FILTER_TYPE", "objects, type", "objects of a type", |a| {

@@ -3,6 +3,7 @@
 use model::Value;
 
 use super::{Arguments, Function, function};
+use crate::pattern::glob;
 use crate::{
     arithmetic::{flag, text_of},
     scope::Outcome,
@@ -67,7 +68,7 @@ pub const TABLE: &[Function] = &[
     }),
     function("STR_LENGTH", "text", "number of characters", |a| Ok(Value::Integer(characters(a)?.len() as i64))),
     function("STR_MATCH", "pattern, text", "1 if a text fits a pattern with wildcards", |a| {
-        Ok(flag(matches(&a.text(0)?, &a.text(1)?)))
+        Ok(flag(glob(&a.text(0)?, &a.text(1)?)))
     }),
     function("STR_MERGE_STRINGS", "separator, texts", "texts joined into one", |a| {
         Ok(Value::Text(a.texts(1)?.join(&a.text(0)?)))
@@ -172,77 +173,4 @@ fn case(a: &mut Arguments) -> Outcome<Value> {
             );
         }
     }))
-}
-
-/// Wildcards: `*` any text, `?` one character, `[abc]` one of these (also `a-z`), `{one,two}` one of
-/// these words. Letters match ignoring case, as names do. The time is bounded by the product of
-/// the lengths for each way through the braces.
-pub(crate) fn matches(pattern: &str, text: &str) -> bool {
-    let text: Vec<char> = text.to_lowercase().chars().collect();
-    alternatives(&pattern.to_lowercase()).iter().any(|p| glob(&p.chars().collect::<Vec<_>>(), &text))
-}
-
-/// Patterns without braces; at most 256.
-fn alternatives(pattern: &str) -> Vec<String> {
-    let mut open = vec![pattern.to_string()];
-    let mut plain = Vec::new();
-    while let Some(next) = open.pop() {
-        let braces = next.find('{').and_then(|a| next[a..].find('}').map(|b| (a, a + b)));
-        match braces {
-            Some((a, b)) if open.len() + plain.len() < 256 => {
-                open.extend(next[a + 1..b].split(',').map(|word| format!("{}{word}{}", &next[..a], &next[b + 1..])));
-            }
-            _ => plain.push(next),
-        }
-    }
-    plain
-}
-
-fn glob(pattern: &[char], text: &[char]) -> bool {
-    let (mut p, mut t) = (0, 0);
-    let mut star: Option<(usize, usize)> = None;
-    loop {
-        let step = match pattern.get(p) {
-            Some('*') => {
-                star = Some((p + 1, t));
-                p += 1;
-                continue;
-            }
-            Some('?') if t < text.len() => Some(1),
-            Some('[') => match pattern[p..].iter().position(|c| *c == ']') {
-                Some(close) if text.get(t).is_some_and(|c| in_set(&pattern[p + 1..p + close], *c)) => Some(close + 1),
-                Some(_) => None,
-                None => (text.get(t) == Some(&'[')).then_some(1),
-            },
-            Some(c) if text.get(t) == Some(c) => Some(1),
-            None if t == text.len() => return true,
-            _ => None,
-        };
-        match (step, star) {
-            (Some(step), _) => (p, t) = (p + step, t + 1),
-            (None, Some((after, from))) if from < text.len() => {
-                star = Some((after, from + 1));
-                (p, t) = (after, from + 1);
-            }
-            _ => return false,
-        }
-    }
-}
-
-fn in_set(set: &[char], c: char) -> bool {
-    let mut i = 0;
-    while i < set.len() {
-        if i + 2 < set.len() && set[i + 1] == '-' {
-            if (set[i]..=set[i + 2]).contains(&c) {
-                return true;
-            }
-            i += 3;
-        } else {
-            if set[i] == c {
-                return true;
-            }
-            i += 1;
-        }
-    }
-    false
 }
