@@ -209,10 +209,33 @@ impl Arguments<'_, '_> {
         Some(begin)
     }
 
+    /// Where a backslash ends a value before another argument of the same line. Other backslashes are
+    /// those of paths.
+    fn behind_backslash(&self, text: &str) -> Option<usize> {
+        let (at, _) = text.match_indices('\\').find(|(at, _)| {
+            let behind = text[at + 1..].trim_start();
+            let word = behind.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(behind.len());
+            let found = self.splitter.vocabulary.argument(self.statement, &behind[..word], false);
+            behind[word..].trim_start().starts_with('=') && matches!(found, Found::One(_))
+        })?;
+        Some(at)
+    }
+
     /// A value up to the next comma; returns where it ends.
     fn value(&mut self, part: Range<usize>) -> usize {
         let text = &self.splitter.text[part.clone()];
         let length = item_length(text);
+        if text[..length].matches('"').count() % 2 == 1 {
+            let begin = part.start + length - text[..length].trim_start().len();
+            let at = self.splitter.span(&(begin..part.start + text[..length].trim_end().len()));
+            let open = Diagnostic::error("dataset/open-quote", "a quote is opened and not closed");
+            self.splitter.diagnostics.push(open.at(at, "taken to the end of the line").help("close it with `\"`"));
+        }
+        if let Some(cut) = self.behind_backslash(&text[..length]) {
+            self.push(part.start..part.start + text[..cut].trim_end().len());
+            self.closed = true;
+            return part.start + cut + 1;
+        }
         if let Some(cut) = self.run_on(&(part.start..part.start + length)) {
             self.push(part.start..part.start + cut);
             self.closed = true;

@@ -49,7 +49,15 @@ pub(super) fn build(
         return Err(vec![guess::command_file(file)]);
     }
     if statements.is_empty() {
-        let nothing = Diagnostic::error("dataset/empty", "the dataset has no statement that is understood");
+        let mut nothing = Diagnostic::error("dataset/empty", "the dataset has no statement that is understood");
+        // A file of another kind would get an error for each of its lines.
+        if diagnostics.len() > 3 {
+            let first = diagnostics.iter().find(|d| d.is_error()).and_then(|d| d.primary.as_ref());
+            if let Some(label) = first {
+                nothing = nothing.at(label.span, "the first line that is no statement");
+            }
+            diagnostics.clear();
+        }
         diagnostics.push(nothing.help("a dataset is a title line, statements such as `PART/1, GROUND`, and `END`"));
         return Err(diagnostics);
     }

@@ -57,7 +57,7 @@ impl<'a> Builder<'a> {
             && entry.class.cell_index("user_function").is_some()
         {
             let mut values = Vec::new();
-            for item in constants.split(',').map(str::trim).filter(|item| !item.is_empty()) {
+            for item in constants.split(',').map(str::trim).filter(|_| !constants.trim().is_empty()) {
                 match values::parse(item) {
                     Some(n) => values.push(if n.degrees { n.value.to_radians() } else { n.value }),
                     None => return self.report(values::no_number(item, "USER", argument.span)),

@@ -3,12 +3,12 @@
 use text::Diagnostic;
 
 use super::{entry, statement::Argument, statement::Statement};
-use crate::statements;
+use crate::statements::Choice;
 
 /// Takes from a statement what contradicts the rest of it.
-pub(super) fn resolve(statement: &mut Statement) -> Vec<Diagnostic> {
+pub(super) fn resolve(statement: &mut Statement, choices: &[Choice]) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
-    for sets in statements::choices(statement.name) {
+    for sets in choices {
         let set_of = |argument: &Argument| {
             let set = sets.iter().position(|set| set.contains(&argument.keyword.as_str()));
             set.filter(|_| argument.known)

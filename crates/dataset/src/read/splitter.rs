@@ -85,7 +85,7 @@ impl Splitter<'_> {
             span: self.span(&(first.start..end)),
             head: self.span(&(first.start..head_end)),
         };
-        self.diagnostics.extend(contradictions::resolve(&mut statement));
+        self.diagnostics.extend(contradictions::resolve(&mut statement, self.vocabulary.choices(name)));
         if statement.inactive && self.diagnostics[before..].iter().any(Diagnostic::is_error) {
             self.diagnostics.truncate(before);
             let message = format!("{name} behind comment marks is not read");

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use schema::{Kind, Registry};
 
-use crate::statements;
+use crate::statements::{self, Choice};
 
 /// How an argument is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +71,7 @@ pub(crate) enum Found<T> {
 pub(crate) struct Vocabulary {
     statements: Vec<&'static str>,
     words: HashMap<&'static str, Vec<Word>>,
+    choices: HashMap<&'static str, Vec<Choice>>,
 }
 
 impl Vocabulary {
@@ -99,7 +100,13 @@ impl Vocabulary {
             known.sort_by_key(|(word, form)| (*word, *form == Form::Flag));
             known.dedup();
         }
-        Vocabulary { statements, words }
+        let choices = words.keys().map(|statement| (*statement, statements::choices(statement))).collect();
+        Vocabulary { statements, words, choices }
+    }
+
+    /// The arguments of a statement that exclude each other.
+    pub fn choices(&self, statement: &str) -> &[Choice] {
+        self.choices.get(statement).map_or(&[], Vec::as_slice)
     }
 
     /// Names of all statements.

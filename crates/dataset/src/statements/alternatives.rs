@@ -3,7 +3,7 @@
 use super::{constraint, data, graphics, request};
 
 /// Arguments that go together; the first one is what the alternative is known by.
-pub(crate) type Set = &'static [&'static str];
+type Set = &'static [&'static str];
 
 const TURNS: &[Set] = &[&["TRANSLATIONAL"], &["ROTATIONAL"]];
 const AXES_OF_PART: &[Set] = &[&["REULER"], &["XG", "ZG"]];
@@ -55,8 +55,11 @@ fn words(statement: &str) -> Vec<Vec<&'static str>> {
     }
 }
 
+/// Sets of arguments of which one stands.
+pub(crate) type Choice = Vec<Vec<&'static str>>;
+
 /// The choices of a statement.
-pub(crate) fn choices(statement: &str) -> Vec<Vec<Vec<&'static str>>> {
+pub(crate) fn choices(statement: &str) -> Vec<Choice> {
     let sets = CHOICES.iter().filter(|(name, _)| *name == statement);
     let sets = sets.map(|(_, sets)| sets.iter().map(|set| set.to_vec()).collect());
     let words = words(statement).into_iter().map(|words| words.into_iter().map(|word| vec![word]).collect());

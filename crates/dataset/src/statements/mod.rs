@@ -14,7 +14,7 @@ mod request;
 mod settings;
 mod vector;
 
-pub(crate) use alternatives::choices;
+pub(crate) use alternatives::{Choice, choices};
 pub(crate) use graphics::moves;
 pub(crate) use gravity::{NAME as GRAVITY, gravity};
 pub(crate) use reading::{Chosen, REQUIRED, class_of, has_number, read, required, words};

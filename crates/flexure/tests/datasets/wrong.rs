@@ -187,6 +187,8 @@ const CASES: &[Case] = &[
     ("GRAPHICS/1, FORCE, EMARKER=1, ETYPE=BEAM", "dataset/missing-argument", "GRAPHICS/1", "`EID` is missing"),
     ("MATRIX/1, FULL=R, ROWS=2, COLUMNS=2, VALUES=1,2,3", "dataset/count", "VALUES=1,2,3", "2 times 2 values"),
     ("SPLINE/1, X=1,2,2,3, Y=1,2,3,4", "dataset/not-rising", "2", "rise from value to value"),
+    ("REQUEST/1, CNAMES = \"a, b, F2 = TIME", "dataset/open-quote", "\"a, b, F2 = TIME", "opened and not closed"),
+    ("VARIABLE/1, FUNCTION = USER(1,,2)", "dataset/number", "FUNCTION = USER(1,,2)", "needs a number, not ``"),
     ("PART/3, EXACT=X:Q", "dataset/unknown-word", "Q", "PSI"),
     (
         "!  adams_view_name='x'\nMARKER/4, PART=1\n!  adams_view_name='X'\nMARKER/5, PART=1",
@@ -220,6 +222,8 @@ fn what_is_missing_from_the_file_is_named() {
     assert_eq!(codes("t\nPART/1, GROUND\nEND\n"), ["dataset/no-units"]);
     assert_eq!(codes("t\nUNITS/SYSTEM=MKS\nPART/2, MASS=1\nEND\n"), ["dataset/no-ground"]);
     assert_eq!(codes("PART/1, GROUND\nUNITS/SYSTEM=MKS\nEND\n"), ["dataset/statement-as-title", "dataset/no-ground"]);
+    // A file of another kind is told once, not line by line.
+    assert_eq!(codes("<html>\n<body>\n<p>\n</p>\n</body>\n</html>\n"), ["dataset/empty"]);
     // Lines of old systems end with a carriage return alone.
     assert_eq!(codes("t\rUNITS/SYSTEM=MKS\rPART/1, GROUND\r"), ["dataset/missing-end"]);
     assert_eq!(codes("t\n, A = 1\nEND\n"), ["dataset/stray-continuation", "dataset/empty"]);
@@ -282,6 +286,7 @@ fn what_is_odd_but_right_is_read_without_a_word() {
         "MARKER/4, PART=1, QP=1,2,3,\n, REULER=0,0,1,",
         "MARKER/4,PART=1;MARKER/5,PART=1",
         "COUPLER/1,JOINTS=1,2,TYPE=Trans:R,SCALES=2\nJOINT/1,TRAN,I=3,J=1\nJOINT/2,CYL,I=3,J=2",
+        "VARIABLE/1, IC = 1\\ FUNCTION = 2\\",
         "SPRINGDAMPER/1, ROTATION, I=3, J=1, KT=2",
     ] {
         assert_eq!(troubles(&format!("{text}\nEND\n")).0, [], "{text}");
