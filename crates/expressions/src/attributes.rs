@@ -2,7 +2,7 @@
 //! object has.
 
 use model::{Array, CellKey, Database, ObjectId, Value};
-use schema::{Dimension, Kind, Quantity};
+use schema::{Dimension, Kind};
 
 use crate::{
     evaluate::Evaluator,
@@ -124,7 +124,7 @@ impl Evaluator<'_> {
     fn field(&mut self, id: ObjectId, index: usize) -> Outcome<Value> {
         let database = self.scope.database;
         let object = database.object(id);
-        let field = object.class.field(index);
+        let field = database.field(id, index);
         self.read(CellKey::new(id, index));
         let Some(cell) = object.cells.get(index) else {
             return match (field.kind, field.name) {
@@ -140,11 +140,10 @@ impl Evaluator<'_> {
                 )),
             };
         };
-        let dimension = if object.class.id == "variable" { self.variable_dimension(id) } else { field.dimension };
-        let ratio = if cell.units == database.settings().units || dimension == Dimension::NONE {
+        let ratio = if cell.units == database.settings().units || field.dimension == Dimension::NONE {
             1.0
         } else {
-            database.unit_system(cell.units).factor(dimension) / database.units().factor(dimension)
+            database.unit_system(cell.units).factor(field.dimension) / database.units().factor(field.dimension)
         };
         Ok(match &cell.value {
             Value::Number(x) if ratio != 1.0 => Value::Number(x * ratio),
@@ -165,12 +164,6 @@ impl Evaluator<'_> {
             Some(index) => self.field(id, index),
             None => Ok(Value::Object(id)),
         }
-    }
-
-    /// A variable's `units` name the kind of quantity of its value.
-    fn variable_dimension(&self, id: ObjectId) -> Dimension {
-        let units = self.scope.database.text(id, "units");
-        units.and_then(Quantity::named).map_or(Dimension::NONE, |q| q.dimension)
     }
 }
 

@@ -58,8 +58,7 @@ pub(crate) fn names(database: &Database, object: &str) -> Vec<String> {
 
 pub(crate) fn read(database: &Database, object: &str, name: &str) -> Option<Attribute> {
     let id = database.find(object, "any")?;
-    let class = database.object(id).class;
-    let field = class.field(class.cell_index(name)?);
+    let field = database.field(id, database.object(id).class.cell_index(name)?);
     let Some(cell) = database.cell(id, name) else {
         return Some(Attribute { value: AttributeValue::None, unit: String::new(), expression: None });
     };

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use schema::{Class, Dimension, UnitSystem};
+use schema::{Class, Dimension, Field, Quantity, UnitSystem};
 use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
@@ -145,13 +145,26 @@ impl Database {
         self.cell(id, name).map(|c| &c.value)
     }
 
+    /// The field of a cell with the dimension that it has in this object.
+    pub fn field(&self, id: ObjectId, index: usize) -> Field {
+        let mut field = *self.object(id).class.field(index);
+        field.dimension = self.dimension(id, &field);
+        field
+    }
+
+    /// What a field of an object measures.
+    pub fn dimension(&self, id: ObjectId, field: &Field) -> Dimension {
+        let named = field.quantity_in.and_then(|units| Quantity::named(self.text(id, units)?));
+        named.map_or(field.dimension, |quantity| quantity.dimension)
+    }
+
     /// A number in the units in force.
     pub fn number(&self, id: ObjectId, name: &str) -> Option<f64> {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
         let cell = object.cells.get(index)?;
         let x = cell.value.as_number()?;
-        Some(x * self.ratio(cell.units, object.class.field(index).dimension))
+        Some(x * self.ratio(cell.units, self.dimension(id, object.class.field(index))))
     }
 
     /// Numbers in the units in force.
@@ -159,7 +172,7 @@ impl Database {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
         let cell = object.cells.get(index)?;
-        let ratio = self.ratio(cell.units, object.class.field(index).dimension);
+        let ratio = self.ratio(cell.units, self.dimension(id, object.class.field(index)));
         let mut numbers = cell.value.as_numbers()?;
         if ratio != 1.0 {
             for x in &mut numbers {
@@ -174,21 +187,21 @@ impl Database {
         let object = self.object(id);
         let index = object.class.cell_index(name)?;
         let cell = object.cells.get(index)?;
-        let ratio = self.ratio(cell.units, object.class.field(index).dimension);
+        let ratio = self.ratio(cell.units, self.dimension(id, object.class.field(index)));
         cell.value.numbers().first_chunk::<3>().map(|v| v.map(|x| x * ratio))
     }
 
     /// A number in SI (force in newton, angles in radians).
     pub fn si(&self, id: ObjectId, name: &str) -> Option<f64> {
         let index = self.object(id).class.cell_index(name)?;
-        let dimension = self.object(id).class.field(index).dimension;
+        let dimension = self.field(id, index).dimension;
         Some(self.number(id, name)? * self.units().factor(dimension))
     }
 
     /// Numbers in SI.
     pub fn si_numbers(&self, id: ObjectId, name: &str) -> Option<Vec<f64>> {
         let index = self.object(id).class.cell_index(name)?;
-        let factor = self.units().factor(self.object(id).class.field(index).dimension);
+        let factor = self.units().factor(self.field(id, index).dimension);
         Some(self.numbers(id, name)?.into_iter().map(|x| x * factor).collect())
     }
 

@@ -127,6 +127,9 @@ pub struct Field {
     pub name: &'static str,
     pub kind: Kind,
     pub dimension: Dimension,
+    /// Field of the same object whose word names the kind of quantity (`length`), where each object
+    /// has its own; the dimension here holds for objects that say none.
+    pub quantity_in: Option<&'static str>,
     pub count: Count,
     /// Side of a symmetric matrix whose lower triangle by columns the values are; all terms of the
     /// matrix are taken too.
@@ -147,6 +150,7 @@ impl Field {
             name,
             kind,
             dimension: Dimension::NONE,
+            quantity_in: None,
             count: Count::ONE,
             symmetric: None,
             default: Default::None,
@@ -241,6 +245,12 @@ impl Field {
 
     pub const fn dimension(mut self, dimension: Dimension) -> Field {
         self.dimension = dimension;
+        self
+    }
+
+    /// The quantity is what another field of the object says.
+    pub const fn quantity_in(mut self, field: &'static str) -> Field {
+        self.quantity_in = Some(field);
         self
     }
 

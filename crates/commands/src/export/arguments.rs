@@ -18,6 +18,7 @@ impl Writer<'_> {
         for field in group.fields {
             let Some(index) = class.cell_index(field.name) else { continue };
             let Some(cell) = object.cells.get(index) else { continue };
+            let field = &Field { dimension: self.database.dimension(id, field), ..*field };
             let unused = if phase == Phase::Create { Use::Modify } else { Use::Create };
             if field.usage == unused || field.name == "relative_to" && class.cell_index("location").is_some() {
                 continue;
@@ -115,7 +116,7 @@ impl Writer<'_> {
         match field.kind {
             Kind::Integer => format!("{}", x as i64),
             Kind::Orientation => self.angle(x),
-            _ if field.dimension == Dimension::ANGLE && field.kind == Kind::Real => self.angle(x),
+            _ if is_angle(field) => self.angle(x),
             _ => number::real(x),
         }
     }
@@ -159,8 +160,9 @@ impl Writer<'_> {
     }
 }
 
+/// Angles are written with their unit, but not the values of variables.
 fn is_angle(field: &Field) -> bool {
-    field.kind == Kind::Orientation || field.dimension == Dimension::ANGLE
+    field.kind == Kind::Orientation || field.dimension == Dimension::ANGLE && field.quantity_in.is_none()
 }
 
 /// A text in quotes, with what needs it escaped.

@@ -77,7 +77,7 @@ fn value_lines(database: &Database, id: ObjectId, field: &Field, cell: &Cell, br
         },
         other => text_of(other, database),
     };
-    let unit = database.units().label(field.dimension);
+    let unit = database.units().label(database.dimension(id, field));
     let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
     let mut lines = vec![line(field.name, &format!("{text}{unit}"))];
     if !brief {

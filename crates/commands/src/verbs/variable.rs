@@ -16,10 +16,13 @@ const fn fields(name: Field) -> [Field; 13] {
     [
         name,
         Field::texts("comments").doc("lines kept with the object and written before it"),
-        Field::real("real_value", Dimension::NONE).many().doc("real values"),
+        Field::real("real_value", Dimension::NONE).quantity_in("units").many().doc("real values"),
         Field::text("units").doc("kind of quantity of the value"),
-        Field::real("range", Dimension::NONE).count(Count::exactly(2)).doc("lower and upper limit"),
-        Field::real("allowed_values", Dimension::NONE).many().doc("values to choose from"),
+        Field::real("range", Dimension::NONE)
+            .quantity_in("units")
+            .count(Count::exactly(2))
+            .doc("lower and upper limit"),
+        Field::real("allowed_values", Dimension::NONE).quantity_in("units").many().doc("values to choose from"),
         Field::choice("delta_type", &["absolute", "relative", "percent_relative"])
             .default_word("absolute")
             .doc("whether the range is absolute, added to the value, or percents of it"),

@@ -169,13 +169,7 @@ fn named_cell<'a>(a: &'a Arguments) -> Outcome<(ObjectId, usize, Option<&'a Cell
 /// Dimension of the field that a text names.
 pub(super) fn dimension_of(a: &Arguments) -> Outcome<Dimension> {
     let (object, index, _) = named_cell(a)?;
-    let database = a.database();
-    let class = database.object(object).class;
-    if class.id == "variable" {
-        let units = database.text(object, "units").and_then(schema::Quantity::named);
-        return Ok(units.map_or(Dimension::NONE, |q| q.dimension));
-    }
-    Ok(class.field(index).dimension)
+    Ok(a.database().field(object, index).dimension)
 }
 
 fn all_references(a: &Arguments) -> Outcome<Vec<Node>> {

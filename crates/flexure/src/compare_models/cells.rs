@@ -32,7 +32,7 @@ impl Comparison<'_> {
                 continue;
             }
             all += 1.0;
-            equal += f64::from(u8::from(self.difference(x, y, field, pairs).is_none()));
+            equal += f64::from(u8::from(self.difference(x, y, &field, pairs).is_none()));
         }
         (equal, all)
     }
@@ -42,9 +42,9 @@ impl Comparison<'_> {
         let class = self.b.object(b).class.word;
         let mut found = Vec::new();
         for (attribute, x, y, field) in self.cells(a, b) {
-            let Some(why) = self.difference(x, y, field, pairs) else { continue };
-            let before = x.map(|c| shown(self.a, c, field));
-            let after = y.map(|c| shown(self.b, c, field));
+            let Some(why) = self.difference(x, y, &field, pairs) else { continue };
+            let before = x.map(|c| shown(self.a, c, &field));
+            let after = y.map(|c| shown(self.b, c, &field));
             found.push(ValueChange { class, name: String::new(), attribute, before, after, why });
         }
         found
@@ -55,7 +55,7 @@ impl Comparison<'_> {
         &self,
         a: ObjectId,
         b: ObjectId,
-    ) -> impl Iterator<Item = (&'static str, Option<&Cell>, Option<&Cell>, &'static Field)> {
+    ) -> impl Iterator<Item = (&'static str, Option<&Cell>, Option<&Cell>, Field)> {
         let class = self.a.object(a).class;
         let placed = class.cell_index("location").is_some();
         class.fields().enumerate().filter_map(move |(i, field)| {
@@ -65,7 +65,8 @@ impl Comparison<'_> {
                 return None;
             }
             let (x, y) = (set(self.a, a, field.name), set(self.b, b, field.name));
-            (x.is_some() || y.is_some()).then_some((field.name, x, y, field))
+            // An object whose kind of quantity changed differs in that already.
+            (x.is_some() || y.is_some()).then(|| (field.name, x, y, self.b.field(b, i)))
         })
     }
 
