@@ -355,6 +355,30 @@ mod tests {
         }
     }
 
+    /// Where modes lie so close together that none is soon found by itself, a mixture of those below a limit is
+    /// enough. A stiff spring lifts the first shift to sqrt(2 1E14 / 1000) 1E-5 = 4.5 rad/s, and a hundred modes of
+    /// the chain are below it, 2 sqrt(k/m) (2 i - 1) pi / (4 n + 2) = 0.03, 0.09, ... rad/s. What the limit of
+    /// 70 rad/s leaves of those above is (4.5/70)^2 an iteration, so that five of them make it less than 1E-10.
+    #[test]
+    fn a_mixture_of_modes_below_a_limit_is_enough() {
+        let n = 2000;
+        let mut chain = SpringChain::uniform(n, 0.5, 800.0, 0.4);
+        chain.stiffness[n - 1] = 1e14;
+        let state = SystemState::at_rest(&chain, 0.0, vec![0.0; n]);
+        let mut search = LowestModes::new(&mut chain, &state).unwrap();
+        let mut looks = |limit: f64| {
+            let mut looks = 0;
+            let found = search.find(12, |_| {
+                looks += 1;
+                Look::Enough(limit)
+            });
+            assert!(found.unwrap().enough);
+            looks
+        };
+        assert_eq!(looks(70.0), 12 * 5);
+        assert!(looks(0.0) > 12 * 5, "without a limit a motion must be one of its own");
+    }
+
     /// Truth: a hanging pendulum swings with sqrt(g / l); its other coordinate is held.
     #[test]
     fn constraints_are_kept() {
