@@ -10,6 +10,10 @@ use glam::{DMat3, DVec3};
 use model::Pose;
 use scene::{Scene, all_close, codes};
 
+/// What rounding leaves of poses: some ten products and sums of numbers below 10, each rounded by a part in
+/// 4.5E15, and angles that were degrees.
+const ROUNDING: f64 = 1e-14;
+
 const MARKERS: &str = "i_marker_name = marker_1 j_marker_name = marker_2";
 
 fn modify(s: &mut Scene, values: &str) {
@@ -184,17 +188,17 @@ fn two_parts_get_a_marker_each_at_the_place() {
     let turned = DMat3::from_rotation_z(a) * DMat3::from_rotation_x(b) * DMat3::from_rotation_z(c);
     for marker in [".m.p1.MARKER_3", ".m.ground.MARKER_4"] {
         let at = pose(&s, marker);
-        assert!(at.origin.abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-12), "{marker} {}", at.origin);
-        assert!(at.rotation.abs_diff_eq(turned, 1e-12), "{marker} {}", at.rotation);
+        assert!(at.origin.abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), ROUNDING), "{marker} {}", at.origin);
+        assert!(at.rotation.abs_diff_eq(turned, ROUNDING), "{marker} {}", at.rotation);
     }
     // The first axis aimed at a point; an axis and a plane; another frame.
     s.accept(&format!("force create element_like beam beam_name = c {parts} location = 0,0,0 along_axis = 0,1,0"));
     s.accept(&format!("force create element_like beam beam_name = d {parts} location = 0,0,0 in_plane = 0,1,0, 1,0,0"));
     let aimed = |s: &Scene, beam: &str| pose(s, &s.text(beam, "j_marker_name")).rotation;
-    assert!(aimed(&s, ".m.c").z_axis.abs_diff_eq(DVec3::Y, 1e-12), "z is the axis that is aimed by default");
-    assert!(aimed(&s, ".m.d").z_axis.abs_diff_eq(DVec3::Y, 1e-12));
+    assert!(aimed(&s, ".m.c").z_axis.abs_diff_eq(DVec3::Y, ROUNDING), "z is the axis that is aimed by default");
+    assert!(aimed(&s, ".m.d").z_axis.abs_diff_eq(DVec3::Y, ROUNDING));
     s.accept(&format!("force create element_like beam beam_name = e {parts} location = 1,0,0 relative_to = p1"));
-    all_close(&pose(&s, &s.text(".m.e", "i_marker_name")).origin.to_array(), &[0.0, 6.0, 0.0], 1e-12);
+    all_close(&pose(&s, &s.text(".m.e", "i_marker_name")).origin.to_array(), &[0.0, 6.0, 0.0], ROUNDING);
 }
 
 /// Open in the help, which speaks of locations: six numbers are a place for each marker.

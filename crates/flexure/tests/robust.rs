@@ -19,7 +19,8 @@ const CHILD: &str = "FLEXURE_LIMITED";
 /// Kibibytes of address space: a gibibyte, and what a test binary of its size and the stacks of its
 /// threads take without using it.
 const MEMORY: &str = "1310720";
-/// The slowest sound case takes a tenth of a second; a busy machine may take ten times as long.
+/// The slowest sound case takes a second where other tests run beside it. Twenty times as long is no busy
+/// machine, but work without end, or work that grows with the square of what is read.
 const LONGEST: Duration = Duration::from_secs(20);
 
 /// Runs a test of this file in a child with little memory. True in the child itself.

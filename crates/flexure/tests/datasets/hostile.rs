@@ -9,7 +9,8 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use super::{Desk, corpus, files, quiet, read, root};
 
-/// The slowest sound case takes a tenth of a second; a busy machine may take ten times as long.
+/// The slowest sound case takes a second where other tests run beside it. Twenty times as long is no busy
+/// machine, but work without end, or work that grows with the square of what is read.
 const LONGEST: Duration = Duration::from_secs(20);
 
 /// Reads, writes what was read in every format, reads that, and takes it all back.
