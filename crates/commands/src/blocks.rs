@@ -93,8 +93,15 @@ impl Blocks {
                     self.end[opener] = i;
                 }
             }
+            // Left to the command of that name, which says what is wrong.
+            Control::Break | Control::Continue if !self.in_loop() => self.control[i] = Control::Plain,
             Control::Plain | Control::Break | Control::Continue | Control::Return => {}
         }
+    }
+
+    /// Whether a loop is open. Those of other files and macros do not count.
+    fn in_loop(&self) -> bool {
+        self.unclosed.iter().any(|opener| matches!(self.control[*opener], Control::While | Control::For))
     }
 
     /// Blocks that nothing ends go on to the last statement.

@@ -79,6 +79,7 @@ impl Interpreter {
         let inside = self.block_depth as i64 + 1;
         let mut from = at + 1;
         let mut done = false;
+        let mut last_arm = None;
         for arm in blocks.arms(at).chain([end]) {
             let here = if taken && !done { inside } else { -inside };
             if taken && !done {
@@ -97,6 +98,19 @@ impl Interpreter {
             if arm == end {
                 self.close(program, end, here);
                 break;
+            }
+            if let Some(other) = last_arm {
+                let error = behind_else(program, arm, other);
+                self.echo_pending(program, arm, Some(&vec![error.clone()]));
+                let flow = self.failed(vec![error]);
+                if flow != Flow::Next {
+                    return flow;
+                }
+                (from, taken) = (arm + 1, false);
+                continue;
+            }
+            if blocks.control[arm] == Control::Else {
+                last_arm = Some(arm);
             }
             if blocks.control[arm] == Control::Else || done {
                 self.echo_at(program, program.statements[arm].statement.span, here);
@@ -213,6 +227,7 @@ impl Interpreter {
             Err(flow) => return self.skip_block(program, at + 1, end, flow),
         };
         let mark = self.database.mark();
+        // The loop alone makes and removes its variable: undo within the loop or behind it does neither.
         let found = self.flag_argument(&call, "echo_all_loops").and_then(|echo| Ok((echo, self.loop_values(&call)?)));
         let (echo_all, (variable, values)) = match found {
             Ok((echo, found)) => (echo == Some(true), found),
@@ -226,6 +241,25 @@ impl Interpreter {
         self.report.executed += 1;
         self.echo_now(program, call.span);
         self.report.diagnostics.extend(call.unused());
+        self.database.leave_out_of_history(variable);
+        let flow = self.passes_of_for(program, blocks, at, &call, (variable, values, echo_all));
+        self.end_loop(variable, &call);
+        self.database.take_into_history(variable);
+        if self.undo_blocks == 0 {
+            self.database.finish_step();
+        }
+        flow
+    }
+
+    fn passes_of_for(
+        &mut self,
+        program: &Program,
+        blocks: &Blocks,
+        at: usize,
+        call: &Call,
+        (variable, values, echo_all): (ObjectId, Vec<Value>, bool),
+    ) -> Flow {
+        let end = blocks.end[at];
         if values.is_empty() {
             self.block_depth += 1;
             self.echo_skipped(program, at + 1, end);
@@ -249,20 +283,13 @@ impl Interpreter {
             match self.pass(program, blocks, at, end) {
                 Flow::Next | Flow::Continue | Flow::Skipped => {}
                 Flow::Break => break,
-                other => {
-                    self.end_loop(variable, &call);
-                    return other;
-                }
+                other => return other,
             }
             if end >= program.statements.len() {
                 return Flow::Next;
             }
         }
         self.close(program, end, -(self.block_depth as i64) - 1);
-        self.end_loop(variable, &call);
-        if self.undo_blocks == 0 {
-            self.database.finish_step();
-        }
         Flow::Next
     }
 
@@ -371,6 +398,20 @@ impl Interpreter {
         }
         found
     }
+}
+
+/// The complaint about an arm of an `if` behind its `else`.
+fn behind_else(program: &Program, arm: usize, other: usize) -> Diagnostic {
+    let place = |at: usize| match program.command(at) {
+        Some(([first, ..], _)) => *first,
+        _ => program.statements[at].statement.span,
+    };
+    let word = program.word(place(arm));
+    Diagnostic::error("command/stray-block-word", format!("`{word}` stands behind the `else` of its `if`"))
+        .at(place(arm), "never run")
+        .label(place(other), "everything that is left is for this arm")
+        .help("put the `else` last")
+        .adams("Invalid input. Enter an object, qualifier, or action.")
 }
 
 fn numbers_of_loop(call: &Call, start: f64, stop: f64, step: f64, most: u64) -> Result<Vec<Value>, Vec<Diagnostic>> {

@@ -116,6 +116,8 @@ pub struct Interpreter {
     /// Files that `file text open` has opened, in that order.
     pub(crate) text_files: Vec<crate::verbs::text_file::TextFile>,
     pub(crate) undo_blocks: usize,
+    /// The fewest finished steps of undo since the outermost block began.
+    pub(crate) fewest_steps: usize,
     pub(crate) suppress_undo: bool,
     /// Whether the statement or block opener at the outermost level of a program was refused.
     pub(crate) unit_refused: bool,
@@ -172,6 +174,7 @@ impl Interpreter {
             skipped_kinds: indexmap::IndexMap::new(),
             text_files: Vec::new(),
             undo_blocks: 0,
+            fewest_steps: 0,
             suppress_undo: false,
             unit_refused: false,
             block_depth: 0,
@@ -344,11 +347,28 @@ impl Interpreter {
         let block = matches!(blocks.control.first(), Some(Control::If | Control::While | Control::For));
         let count = program.statements.len();
         let mark = self.journal.as_ref().map(Journal::mark);
-        let flow = self.run_range(program, blocks, 0, count);
+        let flow = if block {
+            self.as_one_step(|s| s.run_range(program, blocks, 0, count))
+        } else {
+            self.run_range(program, blocks, 0, count)
+        };
         let refused = std::mem::take(&mut self.unit_refused) || flow == Flow::Abort && !block && !self.report.ended;
         if let (Some(journal), Some(mark)) = (&mut self.journal, mark) {
             journal.keep_typed(program, mark, count, refused);
         }
+        flow
+    }
+
+    /// An outermost block is one step of undo once it has ended, like a macro. While it runs each of
+    /// its commands is one, for an `undo backward` in it.
+    fn as_one_step(&mut self, run: impl FnOnce(&mut Interpreter) -> Flow) -> Flow {
+        let outer = std::mem::replace(&mut self.fewest_steps, self.database.history_depth().0);
+        let flow = run(self);
+        if self.undo_blocks == 0 {
+            self.database.finish_step();
+        }
+        self.database.join_steps(self.fewest_steps);
+        self.fewest_steps = outer.min(self.fewest_steps);
         flow
     }
 

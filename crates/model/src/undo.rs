@@ -85,6 +85,16 @@ impl Effect {
 }
 
 impl Change {
+    /// The object that is changed itself.
+    fn object(&self) -> Option<ObjectId> {
+        match self {
+            Change::Created { id } | Change::Removed { id, .. } | Change::Named { id, .. } => Some(*id),
+            Change::Cell { key, .. } => Some(key.object),
+            Change::Reads { cell, .. } => Some(cell.object),
+            _ => None,
+        }
+    }
+
     fn concerns_settings(&self) -> bool {
         matches!(self, Change::Settings { .. } | Change::Current { .. } | Change::Frame { .. })
     }
@@ -101,13 +111,42 @@ pub(crate) struct History {
     done: Vec<Box<[Change]>>,
     /// Steps undone, the next to redo last.
     undone: Vec<Box<[Change]>>,
+    /// Objects whose changes are not recorded.
+    left_out: SmallVec<[ObjectId; 2]>,
 }
 
 impl Database {
     pub(crate) fn record(&mut self, change: Change) {
         self.revision += u64::from(!change.concerns_settings());
-        if !matches!(&change, Change::Cell { key, .. } if key.object.0 >= self.history.fresh_from) {
+        let fresh = matches!(&change, Change::Cell { key, .. } if key.object.0 >= self.history.fresh_from);
+        let left_out = || change.object().is_some_and(|id| self.history.left_out.contains(&id));
+        if !fresh && (self.history.left_out.is_empty() || !left_out()) {
             self.history.open.push(change);
+        }
+    }
+
+    /// From now on nothing that happens to an object is recorded, nor that it was just made: undo
+    /// neither takes it away nor brings it back (the variable of a loop, while the loop runs).
+    pub fn leave_out_of_history(&mut self, id: ObjectId) {
+        if matches!(self.history.open.last(), Some(Change::Created { id: made }) if *made == id) {
+            self.history.open.pop();
+        }
+        self.history.left_out.push(id);
+    }
+
+    /// Ends [`Database::leave_out_of_history`]. An object that is still there counts as made now.
+    pub fn take_into_history(&mut self, id: ObjectId) {
+        self.history.left_out.retain(|other| *other != id);
+        if self.get(id).is_some() {
+            self.record(Change::Created { id });
+        }
+    }
+
+    /// Makes one step of all finished steps behind the first `from`.
+    pub fn join_steps(&mut self, from: usize) {
+        if self.history.done.len() > from + 1 {
+            let joined: Vec<Change> = self.history.done.drain(from..).flat_map(<[Change]>::into_vec).collect();
+            self.history.done.push(joined.into());
         }
     }
 
@@ -150,7 +189,8 @@ impl Database {
 
     /// Forgets all steps.
     pub fn flush_history(&mut self) {
-        self.history = History { fresh_from: self.objects.len() as u32, ..History::default() };
+        let left_out = std::mem::take(&mut self.history.left_out);
+        self.history = History { fresh_from: self.objects.len() as u32, left_out, ..History::default() };
     }
 
     /// Keeps at most `steps` steps.

@@ -38,12 +38,13 @@ pub const FOR: VerbEntry = verb(
 );
 
 fn stray(_: &mut Interpreter, call: &Call) -> Result<Flow, Vec<Diagnostic>> {
+    let (block, label) = match &*call.path {
+        "break" | "continue" => ("any loop of its file or macro", "no loop is open here"),
+        _ => ("a block it could belong to", "no block is open here"),
+    };
     Err(vec![
-        Diagnostic::error(
-            "command/stray-block-word",
-            format!("`{}` stands outside of a block it could belong to", call.path),
-        )
-        .at(call.keywords, "no block is open here")
-        .adams("Invalid input. Enter an object, qualifier, or action."),
+        Diagnostic::error("command/stray-block-word", format!("`{}` stands outside of {block}", call.path))
+            .at(call.keywords, label)
+            .adams("Invalid input. Enter an object, qualifier, or action."),
     ])
 }

@@ -33,6 +33,7 @@ impl Interpreter {
     /// Takes the last step back; false if there is none.
     pub fn undo(&mut self) -> bool {
         let gone = self.database.undo();
+        self.fewest_steps = self.fewest_steps.min(self.database.history_depth().0);
         self.taken_back();
         gone
     }
