@@ -77,9 +77,6 @@ pub(crate) enum Flow {
 /// Name of the group of what is selected, which every session has.
 pub(crate) const SELECT_LIST: &str = "SELECT_LIST";
 
-/// Files that read each other, and macros that call each other, up to this depth.
-const DEEPEST: usize = 100;
-
 /// Passes of one loop before it is taken for endless, unless a session says otherwise.
 const MOST_PASSES: u64 = 10_000_000;
 
@@ -104,6 +101,8 @@ pub struct Interpreter {
     pub(crate) macros: Macros,
     /// Statements whose files or macros are being read, outermost first.
     pub(crate) trace: Vec<Span>,
+    /// Where calls have come too deep, if they have.
+    pub(crate) depth: crate::depth::Depth,
     /// Names of objects that skipped commands would have made, in lower case.
     pub(crate) unmade: std::collections::HashSet<String>,
     /// Names of parts and models below which skipped commands would have read solids, in lower case.
@@ -168,6 +167,7 @@ impl Interpreter {
             function_places: rustc_hash::FxHashMap::default(),
             macros: Macros::default(),
             trace: Vec::new(),
+            depth: crate::depth::Depth::default(),
             unmade: std::collections::HashSet::new(),
             unmade_solids: Vec::new(),
             kept: Vec::new(),
@@ -268,6 +268,7 @@ impl Interpreter {
                 warning.notes.push(format!("{} more `{kind}` commands are skipped", count - 1));
             }
         }
+        self.say_once(&mut report.diagnostics);
         report
     }
 
@@ -287,13 +288,10 @@ impl Interpreter {
     /// Runs a text from beginning to end; errors have been reported when this returns. Statements
     /// are read as they are needed, so that memory does not grow with the text.
     pub(crate) fn run_source(&mut self, file: FileId) -> Flow {
-        if self.trace.len() >= DEEPEST {
-            self.report.failed += 1;
-            let error = Diagnostic::error("command/too-deep", "files or macros call each other without end")
-                .note(format!("stopped {DEEPEST} calls deep"));
-            self.complain(vec![error]);
+        if !self.goes_deeper(file) {
             return Flow::Abort;
         }
+        let before = self.report.diagnostics.len();
         let words = self.tree.next_words(&[], &self.database);
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         let source = self.sources.share(file);
@@ -318,9 +316,12 @@ impl Interpreter {
         if let (Some(journal), Some(state)) = (&mut self.journal, journal_state) {
             journal.end_program(state);
         }
+        // Warnings of block openers have no trace yet.
+        self.trace_warnings(before);
+        let unwinds = self.comes_back();
         match flow {
             Flow::Abort => {
-                self.report.aborted |= !self.report.ended;
+                self.report.aborted |= !self.report.ended && !unwinds;
                 Flow::Abort
             }
             _ => Flow::Next,
@@ -416,9 +417,7 @@ impl Interpreter {
     /// Files diagnostics, each with the calls that led to it, and writes them to the journal.
     pub(crate) fn complain(&mut self, diagnostics: Vec<Diagnostic>) {
         for mut diagnostic in diagnostics {
-            for call in self.trace.iter().rev().take(5) {
-                diagnostic = diagnostic.label(*call, "called from here");
-            }
+            crate::depth::add_calls(&mut diagnostic, &self.trace);
             self.report.diagnostics.push(diagnostic);
         }
     }

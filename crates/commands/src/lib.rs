@@ -12,6 +12,7 @@ mod call;
 mod complete;
 mod complete_situation;
 mod control;
+mod depth;
 mod ends;
 mod evaluation;
 mod export;

@@ -43,7 +43,7 @@ impl Interpreter {
                     self.keep(program, index);
                     Flow::Next
                 } else {
-                    self.report.executed += 1;
+                    self.report.executed += usize::from(!self.depth.is_unwinding());
                     flow
                 };
                 self.trace_warnings(before);
@@ -51,7 +51,7 @@ impl Interpreter {
                 if self.undo_blocks == 0 {
                     self.database.finish_step();
                 }
-                flow
+                self.unwound(flow)
             }
             Err(errors) => {
                 self.world.take_commands();
@@ -67,7 +67,8 @@ impl Interpreter {
                     self.complain(vec![skipped_too(&path, errors)]);
                     return Flow::Next;
                 }
-                self.failed(errors)
+                let flow = self.failed(errors);
+                self.unwound(flow)
             }
         }
     }
@@ -132,17 +133,13 @@ impl Interpreter {
         if self.on_error == OnError::AbortFile { Flow::Abort } else { Flow::Next }
     }
 
-    /// Adds the call trace to diagnostics that were filed while a command ran.
-    fn trace_warnings(&mut self, from: usize) {
+    /// Adds the call trace to diagnostics that were filed without one while a command ran.
+    pub(crate) fn trace_warnings(&mut self, from: usize) {
         if self.trace.is_empty() {
             return;
         }
-        for diagnostic in &mut self.report.diagnostics[from..] {
-            if let Some(call) = self.trace.last()
-                && !diagnostic.secondary.iter().any(|l| l.span == *call)
-            {
-                diagnostic.secondary.push(text::Label { span: *call, text: "called from here".into() });
-            }
+        for diagnostic in self.report.diagnostics.iter_mut().skip(from) {
+            crate::depth::add_calls(diagnostic, &self.trace);
         }
     }
 
