@@ -375,7 +375,7 @@ pub fn recompute(database: &mut Database, changed: &[CellKey]) -> Result<(), Dia
     Ok(())
 }
 
-fn cell_name(database: &Database, key: CellKey) -> String {
+pub(crate) fn cell_name(database: &Database, key: CellKey) -> String {
     let field = database.get(key.object).and_then(|o| o.class.fields().nth(key.cell as usize)).map_or("", |f| f.name);
     format!("{}.{field}", database.full_name(key.object))
 }

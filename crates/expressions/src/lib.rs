@@ -21,6 +21,7 @@ mod evaluate;
 mod functions;
 
 mod cells;
+mod meaning;
 mod pattern;
 mod print;
 mod unit_help;
@@ -31,6 +32,7 @@ pub use cells::{STRUCTURE, compute, convert_location, convert_orientation, recom
 pub use dimension::{is_rate_of_angle, radians_per_time};
 pub use evaluate::{Evaluated, evaluate};
 pub use functions::{FunctionInfo, functions, refused_functions, sprintf};
+pub use meaning::with_another_meaning;
 pub use names::{find_object, object_of};
 pub use pattern::glob;
 pub use print::{number_text, print};

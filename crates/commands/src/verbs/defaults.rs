@@ -71,6 +71,7 @@ fn units(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     if let Some(factor) = interpreter.number_argument(call, "units_consistency_factor")? {
         units.consistency_factor = Some(factor);
     }
+    let before = interpreter.database.settings().clone();
     interpreter.database.set_units(units);
     if let Some(word) = interpreter.word_of(call, "coordinate_system_type")? {
         let system = match word.as_str() {
@@ -83,7 +84,31 @@ fn units(interpreter: &mut Interpreter, call: &Call) -> Outcome {
     if let Some(sequence) = interpreter.word_of(call, "orientation_type")?.and_then(|w| Sequence::named(&w)) {
         interpreter.database.change_settings(|s| s.sequence = sequence);
     }
+    if *interpreter.database.settings() != before {
+        warn_of_bare_numbers(interpreter, call);
+    }
     Ok(Flow::Next)
+}
+
+/// Says which expressions mean something else from now on; they keep their values until they are
+/// evaluated again.
+fn warn_of_bare_numbers(interpreter: &mut Interpreter, call: &Call) {
+    const NAMED: usize = 5;
+    let found = expressions::with_another_meaning(&interpreter.database);
+    if found.is_empty() {
+        return;
+    }
+    let names: Vec<String> = found.iter().take(NAMED).map(|name| format!("`{name}`")).collect();
+    let others = if found.len() > NAMED { format!(" and {} more", found.len() - NAMED) } else { String::new() };
+    let (them, mean) = if found.len() == 1 { ("the expression", "means") } else { ("the expressions", "mean") };
+    let warning = Diagnostic::warning(
+        "expression/bare-numbers",
+        format!("{them} of {}{others} {mean} something else in these units", names.join(", ")),
+    )
+    .at(call.span, "their numbers have no units")
+    .note("values stay as they are until something that they depend on changes, or the model is written and read")
+    .help("write units behind the numbers (`500mm`), or store values in place of expressions with `EVAL(...)`");
+    interpreter.complain(vec![warning]);
 }
 
 pub const MODEL: VerbEntry = entry(
