@@ -2,49 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-import numpy as np
-
 from flexure import _native
-
-
-def command_text(value: Any) -> str:
-    """A Python value as command text: numbers to the last digit, lists with commas.
-
-    Strings are command text already: ``"210(newton/mm**2)"``, ``"(.m.length / 2)"``, ``"linear"``.
-    """
-    if isinstance(value, Object):
-        return value.full_name
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, (int, np.integer)):
-        return str(int(value))
-    if isinstance(value, (float, np.floating)):
-        return repr(float(value))
-    if isinstance(value, str):
-        text = value.strip()
-        bare_unit = text[:1].isdigit() and not text.replace(".", "").isdigit()
-        return f"({text})" if bare_unit and not _is_number(text) else text
-    if isinstance(value, (Sequence, np.ndarray)):
-        return ", ".join(command_text(v) for v in value)
-    raise TypeError(f"{type(value).__name__} cannot be written as command text")
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 class Object:
     """One object of the model.
 
     Reading an attribute gives its value in model units; setting one runs the class's modify
-    command, which can be undone and is in the journal.
+    command, which can be undone and is in the journal. Three coordinates are set in the frame in which they
+    are read, that of the parent; one expression for all of them is taken as the command takes it.
+
+    A text is a value: a comment, a word, the name of an object. Where an attribute takes numbers, it is a
+    number with a unit or an expression, ``"210(newton/mm**2)"``, ``"(.m.length / 2)"``; in parentheses an
+    expression also where it takes objects.
     """
 
     __slots__ = ("_native", "full_name")
@@ -75,14 +48,12 @@ class Object:
         self.modify(**{name: value})
 
     def modify(self, **values: Any) -> None:
-        """Sets several attributes in one command."""
-        self._native.modify(self.full_name, [(name, command_text(value)) for name, value in values.items()])
+        """Sets several attributes in one step. If one is refused, none is set."""
+        self._native.modify(self.full_name, list(values.items()))
 
     def rename(self, name: str) -> None:
         """Gives the object another name; references follow."""
-        parent = self.full_name.rpartition(".")[0]
-        self._native.execute(f"entity modify entity_name = {self.full_name} new_entity_name = {parent}.{name}")
-        object.__setattr__(self, "full_name", f"{parent}.{name}")
+        object.__setattr__(self, "full_name", self._native.rename(self.full_name, name))
 
     def unit(self, attribute: str) -> str:
         """Label of the unit an attribute is in."""

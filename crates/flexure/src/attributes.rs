@@ -2,7 +2,6 @@
 //! comes from the class tables.
 
 use model::{Cell, Database, ObjectId, Value, split_name};
-use text::Diagnostic;
 
 /// A value as doors hand it on.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,33 +87,4 @@ fn value(database: &Database, id: ObjectId, name: &str, cell: &Cell) -> Attribut
 fn expression(database: &Database, cell: &Cell) -> Option<String> {
     let texts: Vec<String> = cell.expressions().into_iter().map(|e| expressions::print(e, database)).collect();
     (!texts.is_empty()).then(|| texts.join(", "))
-}
-
-/// The modify commands that set attributes: one for each group of the class that is concerned.
-pub(crate) fn modify_command(
-    database: &Database,
-    object: &str,
-    values: &[(String, String)],
-) -> Result<String, Diagnostic> {
-    let unknown = |what: String| Diagnostic::error("attribute/unknown", what);
-    let id = database.find(object, "any").ok_or_else(|| unknown(format!("there is no object `{object}`")))?;
-    let class = database.object(id).class;
-    let mut commands: Vec<(&'static schema::Group, Vec<String>)> = Vec::new();
-    for (name, value) in values {
-        let group = class
-            .groups
-            .iter()
-            .find(|g| g.fields.iter().any(|f| f.name.eq_ignore_ascii_case(name)))
-            .ok_or_else(|| unknown(format!("`{object}` has no attribute `{name}`")))?;
-        let argument = format!("{name} = {value}");
-        match commands.iter_mut().find(|(g, _)| std::ptr::eq(*g, group)) {
-            Some((_, arguments)) => arguments.push(argument),
-            None => commands.push((group, vec![argument])),
-        }
-    }
-    let text = commands.into_iter().map(|(group, arguments)| {
-        let words = group.command.replacen(" create ", " modify ", 1);
-        format!("{words} {} = {} {}", group.object, database.full_name(id), arguments.join(" "))
-    });
-    Ok(text.collect::<Vec<_>>().join("\n"))
 }

@@ -1,6 +1,7 @@
 //! The facade: a [`Session`] reads and executes commands, simulates, verifies and writes. Every
 //! door (command line, Python) stands on it and on nothing behind it.
 
+mod assign;
 mod attributes;
 mod beams;
 mod compare_models;
@@ -23,6 +24,7 @@ mod support;
 mod verify;
 mod window;
 
+pub use assign::AttributeInput;
 pub use attributes::{Attribute, AttributeValue};
 pub use beams::{BeamState, BeamsAt, BeamsReport, ChainLink};
 pub use compare_models::{ModelChange, ModelDifferences, ValueChange, Why};

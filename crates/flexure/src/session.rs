@@ -13,6 +13,7 @@ use model::{Database, ObjectId};
 use results::Polyline;
 use text::{Diagnostic, Format, Sources, render};
 
+use crate::assign::{self, AttributeInput};
 use crate::attributes::{self, Attribute};
 use crate::beams::{self, BeamsAt, BeamsReport};
 use crate::compare_models::{ModelDifferences, Side, compare_models};
@@ -308,11 +309,34 @@ impl Session {
         attributes::read(self.database(), object, name)
     }
 
-    /// Sets attributes by running the modify command of the object's class; values are command text.
-    pub fn modify(&mut self, object: &str, values: &[(String, String)]) -> Report {
-        match attributes::modify_command(self.database(), object, values) {
+    /// Sets attributes by the commands that modify objects of the class. If one is refused, none is set.
+    pub fn modify(&mut self, object: &str, values: &[(String, AttributeInput)]) -> Report {
+        let commands = match assign::modify_commands(self.database(), object, values) {
+            Ok(commands) => commands,
+            Err(diagnostic) => return refused(diagnostic),
+        };
+        let mut total = Report::default();
+        for command in commands {
+            let report = self.execute(&command);
+            let failed = report.has_errors();
+            total.diagnostics.extend(report.diagnostics);
+            total.failed += report.failed;
+            if failed {
+                for _ in 0..std::mem::take(&mut total.executed) {
+                    self.undo();
+                }
+                break;
+            }
+            total.executed += report.executed;
+        }
+        total
+    }
+
+    /// Gives an object another name; references follow.
+    pub fn rename(&mut self, object: &str, name: &str) -> Report {
+        match assign::rename_command(self.database(), object, name) {
             Ok(command) => self.execute(&command),
-            Err(diagnostic) => Report { failed: 1, diagnostics: vec![diagnostic], ..Report::default() },
+            Err(diagnostic) => refused(diagnostic),
         }
     }
 

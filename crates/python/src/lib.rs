@@ -8,6 +8,7 @@ mod beams;
 mod errors;
 mod observer;
 mod session;
+mod values;
 
 use pyo3::prelude::*;
 

@@ -13,6 +13,7 @@ use pyo3::types::{PyDict, PyList};
 use crate::beams::{self, BeamState};
 use crate::errors;
 use crate::observer::PythonObserver;
+use crate::values;
 
 /// A finished run.
 #[pyclass(frozen)]
@@ -138,15 +139,25 @@ impl Session {
         Ok((value, attribute.unit, attribute.expression))
     }
 
-    /// Sets attributes by the class's modify command; values are command text.
+    /// Sets attributes by the class's modify commands.
     fn modify<'py>(
         &mut self,
         py: Python<'py>,
         object: &str,
-        values: Vec<(String, String)>,
+        values: Vec<(String, Bound<'py, PyAny>)>,
     ) -> PyResult<Bound<'py, PyList>> {
+        let values = values.into_iter().map(|(name, value)| Ok((name, values::input(&value)?)));
+        let values = values.collect::<PyResult<Vec<_>>>()?;
         let report = self.session().modify(object, &values);
         self.settle(py, &report)
+    }
+
+    /// Gives an object another name, without path and quotes; returns its new full name.
+    fn rename(&mut self, py: Python<'_>, object: &str, name: &str) -> PyResult<String> {
+        let id = self.session().database().find(object, "any");
+        let report = self.session().rename(object, name);
+        self.settle(py, &report)?;
+        Ok(id.map_or_else(|| object.to_string(), |id| self.session().database().full_name(id)))
     }
 
     #[pyo3(signature = (kind, end=None, steps=None, dtout=None, integrator=None, error=None, hmax=None, all=false, beam_loads=false, progress=None))]
