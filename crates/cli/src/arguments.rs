@@ -47,7 +47,9 @@ pub enum Command {
     Support(Support),
 }
 
-/// Options that change a model after it is read.
+// What is said of a group of options in `///` would stand in the help in place of what the subcommand does.
+
+// Options that change a model after it is read.
 #[derive(Debug, Args)]
 pub struct Edits {
     /// Command to execute after the model is read; can be repeated.
@@ -64,7 +66,7 @@ pub enum Angles {
     Rotvec,
 }
 
-/// Options for what the public description of beams leaves open.
+// Options for what the public description of beams leaves open.
 #[derive(Debug, Args)]
 pub struct Beams {
     /// How LINEAR and STRING beams measure the rotation of I from J.
@@ -75,7 +77,7 @@ pub struct Beams {
     pub nonlinear_shear: bool,
 }
 
-/// What runs record beside requests and measures.
+// What runs record beside requests and measures.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct Recording {
     /// Record everything: parts, joints, motions and forces too.
@@ -158,9 +160,11 @@ pub struct Simulate {
     pub record: Recording,
 }
 
-/// Forces and moments act on the face that looks to I, along the axes of J (of the chord, for NONLINEAR
-/// beams): tension is positive, dMy/dx = Vz, dMz/dx = -Vy.
 #[derive(Debug, Args)]
+#[command(
+    after_help = "Forces and moments act on the face that looks to I, along the axes of J (of the chord, for NONLINEAR \
+                  beams): tension is positive, dMy/dx = Vz, dMz/dx = -Vy."
+)]
 pub struct BeamLoads {
     /// Model (.cmd, .adm, .fx).
     pub model: PathBuf,
@@ -333,8 +337,8 @@ pub enum ShearTheory {
     None,
 }
 
-/// Widths are along y of the beam, heights along z. Sizes and answers are in one unit of length.
 #[derive(Debug, Args)]
+#[command(after_help = "Widths are along y of the beam, heights along z. Sizes and answers are in one unit of length.")]
 pub struct Section {
     /// Shape.
     #[arg(value_parser = ["rectangle", "circle", "tube", "box", "i", "ellipse"])]

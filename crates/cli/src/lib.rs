@@ -11,6 +11,7 @@ mod shell;
 mod shell_line;
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -48,17 +49,39 @@ pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version are no errors; clap knows which stream and status each deserves.
-            let _ = error.print();
+            if let Err(trouble) = error.print()
+                && !error.use_stderr()
+            {
+                return cannot_write(&trouble.to_string());
+            }
             return u8::try_from(error.exit_code()).unwrap_or(2);
         }
     };
     std::panic::set_hook(Box::new(|panic| {
-        // Whoever read our output has read enough (`flexure verify ... | head`).
-        if panic.to_string().contains("Broken pipe") {
-            std::process::exit(141);
+        let said = panic.to_string();
+        // The macros of the language have no other way to say that a stream takes nothing more.
+        if said.contains("failed printing to stderr") {
+            std::process::exit(1);
+        }
+        if let Some((_, trouble)) = said.split_once("failed printing to stdout: ") {
+            std::process::exit(i32::from(cannot_write(trouble)));
         }
         eprintln!("flexure: internal error: {panic}");
         eprintln!("This is a fault of flexure, not of your model. Please report it with the files and the command.");
     }));
-    std::panic::catch_unwind(|| commands::execute(&arguments)).map_or(3, Outcome::status)
+    let status = std::panic::catch_unwind(|| commands::execute(&arguments)).map_or(3, Outcome::status);
+    match std::io::stdout().flush() {
+        Err(trouble) => cannot_write(&trouble.to_string()),
+        Ok(()) => status,
+    }
+}
+
+/// Says that nobody will read what was asked for; returns the exit status.
+fn cannot_write(trouble: &str) -> u8 {
+    // Whoever read our output has read enough (`flexure verify ... | head`).
+    if trouble.contains("Broken pipe") {
+        return 141;
+    }
+    commands::complain(format_args!("cannot write standard output: {}", trouble.trim_end()));
+    1
 }

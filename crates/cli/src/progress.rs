@@ -107,17 +107,35 @@ impl RunObserver for Watcher {
         self.aside(|| eprintln!("{text}"));
     }
 
+    fn listing(&mut self, line: &str) {
+        self.aside(|| println!("{line}"));
+    }
+
     fn end(&mut self, run: &Run) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
         self.note(|log| log.interrupted |= run.interrupted);
-        if !run.diagnostics.is_empty() {
+        // Who asked for a run that failed is told these with the reason.
+        if !run.diagnostics.is_empty() && !run.failed {
             let colours = text::use_colours(std::io::stderr().is_terminal());
             let form = text::Format::Terminal { colours };
             eprint!("{}", text::render(&text::Sources::default(), &run.diagnostics, form));
         }
-        if let Some((path, _)) = self.stream.take() {
+        let reached = run.table.series.first().and_then(|time| time.values.last().copied());
+        if let Some((path, stream)) = self.stream.take() {
+            drop(stream);
+            let Some(reached) = reached else {
+                eprintln!("{}: no output was reached; {} is not written", run.header.title, path.display());
+                if let Err(error) = std::fs::remove_file(&path) {
+                    self.trouble(&path, &error);
+                }
+                return;
+            };
+            if run.interrupted {
+                let target = self.target.final_path(&path);
+                eprintln!("{}: stopped at {reached} s; {} ends there", run.header.title, target.display());
+            }
             let target = self.target.final_path(&path);
             if target == path {
                 self.note(|log| log.written.push(path));

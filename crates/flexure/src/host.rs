@@ -97,7 +97,7 @@ impl Host for EngineHost {
 
     fn show(&mut self, lines: &[String]) {
         let mut engine = lock(&self.0);
-        lines.iter().for_each(|line| engine.observer.message(line));
+        lines.iter().for_each(|line| engine.observer.listing(line));
     }
 
     fn resolve(&self, path: &str) -> PathBuf {

@@ -41,6 +41,6 @@ pub use elements::Finding;
 pub use elements::forces::beam::Angles as BeamAngles;
 pub use parquet;
 pub use results;
-pub use schema::{Count, Rule};
+pub use schema::{Count, Dimension, Rule, UnitName};
 pub use sections;
 pub use text;

@@ -61,6 +61,10 @@ pub trait RunObserver: Send {
     }
     /// Something the user should read now: redundant constraints, a warning of an element.
     fn message(&mut self, _text: &str) {}
+    /// A line that a command was asked for: information on objects, a report.
+    fn listing(&mut self, line: &str) {
+        self.message(line);
+    }
     fn end(&mut self, _run: &Run) {}
 }
 
@@ -81,6 +85,8 @@ pub struct Run {
     pub messages: Vec<String>,
     pub diagnostics: Vec<Diagnostic>,
     pub interrupted: bool,
+    /// The analysis gave up: why is told, with these diagnostics, to whoever asked for the run.
+    pub failed: bool,
 }
 
 impl Run {

@@ -283,6 +283,13 @@ impl Session {
         Some(self.database().object(self.model()?).name.clone())
     }
 
+    /// Full names of the models beside the current one.
+    pub fn other_models(&self) -> Vec<String> {
+        let (database, current) = (self.database(), self.model());
+        let models = database.roots().iter().filter(|id| database.object(**id).class.is("model"));
+        models.filter(|id| Some(**id) != current).map(|id| database.full_name(*id)).collect()
+    }
+
     /// Full names of all objects of a class or family below the current model.
     pub fn objects(&self, wanted: &str) -> Vec<String> {
         let database = self.database();
@@ -442,18 +449,31 @@ impl Session {
             return self.write_store(path).map(|()| Vec::new());
         }
         let model = self.model_or_error()?;
-        match extension.as_str() {
-            "adm" => write_data_set(&mut self.interpreter.database, model, path, Digits::Exact),
+        let mut warnings = match extension.as_str() {
+            "adm" => write_data_set(&mut self.interpreter.database, model, path, Digits::Exact)?,
             "cmd" => {
                 let text = self.interpreter.write_model(model);
                 files::write(path, text).map_err(|e| vec![cannot_write(path, &e)])?;
-                Ok(Vec::new())
+                Vec::new()
             }
-            other => Err(vec![
-                Diagnostic::error("file/unknown-format", format!("a model cannot be written as `.{other}`"))
-                    .help("`.cmd`, `.adm` and `.fx` are written"),
-            ]),
+            other => {
+                return Err(vec![
+                    Diagnostic::error("file/unknown-format", format!("a model cannot be written as `.{other}`"))
+                        .help("`.cmd`, `.adm` and `.fx` are written"),
+                ]);
+            }
+        };
+        let others = self.other_models();
+        if let Some(first) = others.first() {
+            let (current, names) = (self.database().full_name(model), others.join(", "));
+            warnings.push(
+                Diagnostic::warning("file/other-models", format!("{} does not hold {names}", path.display()))
+                    .note(format!("such a file holds one model, here the current one, {current}"))
+                    .help(format!("`model display model_name = {first}` makes another the current one"))
+                    .help("a `.fx` file holds all models of a session"),
+            );
         }
+        Ok(warnings)
     }
 
     fn model_or_error(&self) -> Result<ObjectId, Vec<Diagnostic>> {

@@ -58,7 +58,15 @@ pub(crate) fn run(
     };
     let outcome = analyse(&plan, &mut system, &mut state, &mut recorder, &mut messages);
     let Recorder { table, concerns, stopped, observer, .. } = recorder;
-    let mut run = Run { header, table, statistics: Statistics::default(), messages, diagnostics, interrupted: stopped };
+    let mut run = Run {
+        header,
+        table,
+        statistics: Statistics::default(),
+        messages,
+        diagnostics,
+        interrupted: stopped,
+        failed: outcome.is_err(),
+    };
     run.diagnostics.extend(concern_warnings(&concerns));
     match outcome {
         Ok(statistics) => {

@@ -9,7 +9,7 @@ use flexure::{Report, Session, apply_fixes};
 
 use crate::Outcome;
 use crate::arguments::{Check, ReportFormat};
-use crate::commands::{complain, count, print, read, session, unified};
+use crate::commands::{Tally, complain, print, read, session, unified};
 use crate::output::extension;
 
 /// A mended command may show the next trouble; so often at most.
@@ -42,11 +42,11 @@ pub(super) fn execute(check: &Check) -> Outcome {
     };
     diagnostics.retain(|d| !again(d));
     diagnostics.extend(functions);
-    let errors = diagnostics.iter().filter(|d| d.is_error()).count();
+    let found = Tally::of(&diagnostics);
     match check.format {
         ReportFormat::Text => {
             print(&session, &diagnostics);
-            eprintln!("{}, {}", count(errors, "error"), count(diagnostics.len() - errors, "warning"));
+            eprintln!("{found}");
         }
         machine => {
             let report = flexure::text::render(session.sources(), &diagnostics, form(machine));
@@ -58,7 +58,7 @@ pub(super) fn execute(check: &Check) -> Outcome {
             }
         }
     }
-    if errors > 0 || !written { Outcome::Findings } else { Outcome::Fine }
+    if found.errors > 0 || !written { Outcome::Findings } else { Outcome::Fine }
 }
 
 /// A file to be checked.
@@ -153,7 +153,8 @@ fn mend(check: &Check, inputs: &mut [Input]) -> bool {
             Ok(())
         };
         if let Err(error) = outcome {
-            complain(format_args!("cannot write {}: {error}", input.name()));
+            let name = if input.is_stdin() { "standard output".into() } else { input.name() };
+            complain(format_args!("cannot write {name}: {error}"));
             written = false;
         }
     }

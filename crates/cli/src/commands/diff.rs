@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::Outcome;
 use crate::arguments::{Diff, DiffFormat};
-use crate::commands::{complain, count, print, read, session};
+use crate::commands::{complain, count, mention_other_models, print, read, session};
 use crate::output::{extension, read_table};
 
 pub(super) fn execute(diff: &Diff) -> Outcome {
@@ -60,6 +60,7 @@ fn model(path: &Path) -> Option<ManuallyDrop<Session>> {
         complain(format_args!("{} creates no model", path.display()));
         return None;
     }
+    mention_other_models(&session, &format!("compared of {}", path.display()));
     Some(session)
 }
 

@@ -19,7 +19,7 @@ use std::path::Path;
 
 use flexure::results::Format;
 use flexure::{BeamAngles, Report, Session};
-use text::Diagnostic;
+use text::{Diagnostic, Severity};
 
 use crate::arguments::{Angles, Arguments, Beams, Command, Edits, Recording};
 use crate::output::extension;
@@ -180,10 +180,57 @@ pub(crate) fn open(session: &mut Session, path: &Path, edits: &Edits) -> bool {
     sound
 }
 
+/// Says which models of a file are left aside, for one is the current one.
+fn mention_other_models(session: &Session, done: &str) {
+    let others = session.other_models();
+    if let (Some(name), false) = (session.model_name(), others.is_empty()) {
+        eprintln!("warning: only `.{name}`, the current model, is {done}, not {}", others.join(", "));
+    }
+}
+
 /// Two texts as a unified diff.
 fn unified(name: &str, before: &str, after: &str) -> String {
     let diff = similar::TextDiff::configure().timeout(std::time::Duration::from_secs(2)).diff_lines(before, after);
     diff.unified_diff().context_radius(3).header(name, name).to_string()
+}
+
+/// Findings by their severity.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tally {
+    errors: usize,
+    warnings: usize,
+    notes: usize,
+}
+
+impl Tally {
+    fn of<'a>(diagnostics: impl IntoIterator<Item = &'a Diagnostic>) -> Tally {
+        let mut tally = Tally::default();
+        for diagnostic in diagnostics {
+            match diagnostic.severity {
+                Severity::Error => tally.errors += 1,
+                Severity::Warning => tally.warnings += 1,
+                Severity::Note => tally.notes += 1,
+            }
+        }
+        tally
+    }
+
+    fn add(&mut self, other: Tally) {
+        self.errors += other.errors;
+        self.warnings += other.warnings;
+        self.notes += other.notes;
+    }
+}
+
+impl std::fmt::Display for Tally {
+    /// `0 errors, 2 warnings, 1 note`; notes ask for nothing and are named only if there are any.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}, {}", count(self.errors, "error"), count(self.warnings, "warning"))?;
+        if self.notes > 0 {
+            write!(f, ", {}", count(self.notes, "note"))?;
+        }
+        Ok(())
+    }
 }
 
 /// `1 error`, `3 warnings`.

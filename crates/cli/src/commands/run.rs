@@ -3,7 +3,7 @@
 use std::sync::PoisonError;
 
 use crate::arguments::{OnError, Run};
-use crate::commands::{complain, count, print, read, session, set_beams, set_recording};
+use crate::commands::{Tally, complain, count, print, read, session, set_beams, set_recording};
 use crate::output::Target;
 use crate::progress::Watcher;
 use crate::{Outcome, interrupt};
@@ -22,14 +22,13 @@ pub(super) fn execute(run: &Run) -> Outcome {
     }
     let (watcher, log) = Watcher::new(Target::Folder(run.out.clone()));
     session.set_observer(Box::new(watcher));
-    let (mut executed, mut errors, mut warnings) = (0, 0, 0);
+    let (mut executed, mut found) = (0, Tally::default());
     let mut tally = |report: &flexure::Report| {
-        let refused = report.diagnostics.iter().filter(|d| d.is_error()).count().max(report.failed);
-        let warned = report.diagnostics.iter().filter(|d| !d.is_error()).count();
+        let mut said = Tally::of(&report.diagnostics);
+        said.errors = said.errors.max(report.failed);
         executed += report.executed;
-        errors += refused;
-        warnings += warned;
-        run.strict && refused + warned > 0
+        found.add(said);
+        run.strict && said.errors + said.warnings > 0
     };
     let mut stopped = false;
     for file in &run.files {
@@ -53,15 +52,12 @@ pub(super) fn execute(run: &Run) -> Outcome {
     for path in &log.written {
         println!("{}", path.display());
     }
-    eprintln!(
-        "{}, {}, {}",
-        count(executed, "command") + " executed",
-        count(errors, "error"),
-        count(warnings, "warning")
-    );
-    if interrupt::requested() || log.interrupted {
+    let interrupted = interrupt::requested() || log.interrupted;
+    let ending = if interrupted { "; stopped by Ctrl-C" } else { "" };
+    eprintln!("{} executed, {found}{ending}", count(executed, "command"));
+    if interrupted {
         Outcome::Interrupted
-    } else if errors > 0 || stopped || !log.troubles.is_empty() {
+    } else if found.errors > 0 || stopped || !log.troubles.is_empty() {
         Outcome::Findings
     } else {
         Outcome::Fine

@@ -3,6 +3,7 @@
 use comfy_table::{CellAlignment, Table, presets};
 use flexure::results::{Format, OutlineRequest, SizeMark, TextSide, outline};
 use flexure::sections::{Properties, Shape, Side, Theory};
+use flexure::{Dimension, UnitName};
 
 use crate::Outcome;
 use crate::arguments::{DiffFormat, Section, ShearTheory};
@@ -29,7 +30,21 @@ pub(super) fn execute(request: &Section) -> Outcome {
         ShearTheory::Cowper => Theory::Cowper,
         ShearTheory::None => Theory::None,
     };
+    let is_length = |word: &str| UnitName::find(word).is_some_and(|unit| unit.dimension == Dimension::LENGTH);
+    if !request.units.is_empty() && !is_length(&request.units) {
+        complain(format_args!("`{}` is no unit of length; mm, cm, m, inch or foot are", request.units));
+        return Outcome::Usage;
+    }
     let properties = shape.properties(theory, request.nu);
+    let lost = rows(&properties, "").into_iter().find(|(name, _, value, _)| {
+        // Without shear deflection a factor is 0; nothing else of a section is.
+        !value.is_finite() || *value == 0.0 && !name.ends_with("shear_area_ratio")
+    });
+    if let Some((name, _, value, _)) = lost {
+        let size = if value == 0.0 { "small" } else { "large" };
+        complain(format_args!("the sizes are too {size}: `{name}` cannot be written as a number; choose another unit"));
+        return Outcome::Usage;
+    }
     match request.format {
         DiffFormat::Text => println!("{}", table(request, shape, theory, &properties)),
         DiffFormat::Json => println!("{:#}", json(request, shape, theory, &properties)),
@@ -62,14 +77,15 @@ fn shape(request: &Section) -> Result<Shape, String> {
     let names = names(kind);
     let list = || names.iter().map(|n| option(n)).collect::<Vec<_>>().join(", ");
     if let Some((extra, _)) = given.iter().find(|(name, size)| size.is_some() && !names.contains(name)) {
-        return Err(format!("a section `{kind}` has no {}; it has {}", option(extra), list()));
+        return Err(format!("a section `{kind}` has no {}; its sizes are {}", option(extra), list()));
     }
     let mut sizes = Vec::new();
     for name in names {
         match given.iter().find(|(n, _)| n == name).and_then(|(_, size)| *size) {
             Some(size) => sizes.push(size),
             None if kind == "box" && *name == "flange_thickness" => {}
-            None => return Err(format!("a section `{kind}` needs {}; it has {}", option(name), list())),
+            None if names.len() == 1 => return Err(format!("a section `{kind}` needs {}", option(name))),
+            None => return Err(format!("a section `{kind}` needs {}; its sizes are {}", option(name), list())),
         }
     }
     Shape::new(kind, &sizes)

@@ -8,7 +8,7 @@ use flexure::{AttributeValue, Finding, Session, Verification};
 
 use crate::Outcome;
 use crate::arguments::Verify;
-use crate::commands::{complain, count, open, print_found, session, set_beams, shown};
+use crate::commands::{complain, count, mention_other_models, open, print_found, session, set_beams, shown};
 
 /// A mended model may show the next trap: exchanged ends hide a wrong length. So often at most.
 const MOST_ROUNDS: usize = 20;
@@ -23,6 +23,7 @@ pub(super) fn execute(verify: &Verify) -> Outcome {
     if session.model().is_none() {
         return Outcome::Findings;
     }
+    mention_other_models(&session, "verified");
     let found = session.verify();
     if verify.json {
         println!("{:#}", json(&found));
@@ -70,7 +71,9 @@ fn show(session: &Session, found: &Verification, sound: bool, mending: bool) {
     if !found.findings.is_empty() {
         let mendable = found.findings.iter().filter(|f| f.fix.is_some()).count();
         let advice = if mending { String::new() } else { format!(", {mendable} of them can be mended with --fix") };
-        eprintln!("{}{advice}", count(found.findings.len(), "finding"));
+        let notes = found.findings.iter().filter(|f| !matters(f)).count();
+        let noted = if notes == 0 { String::new() } else { format!(" and {}", count(notes, "note")) };
+        eprintln!("{}{noted}{advice}", count(found.findings.len() - notes, "finding"));
     }
 }
 

@@ -27,8 +27,13 @@ pub(super) fn json(sources: &Sources, diagnostics: &[Diagnostic]) -> String {
             })
         })
         .collect();
-    let errors = diagnostics.iter().filter(|d| d.is_error()).count();
-    pretty(&json!({ "diagnostics": all, "errors": errors }))
+    let count = |severity| diagnostics.iter().filter(|d| d.severity == severity).count();
+    pretty(&json!({
+        "diagnostics": all,
+        "errors": count(Severity::Error),
+        "warnings": count(Severity::Warning),
+        "notes": count(Severity::Note),
+    }))
 }
 
 fn pretty(value: &Value) -> String {
