@@ -290,11 +290,13 @@ impl Interpreter {
             match &item.kind {
                 ItemKind::Expression(e) => {
                     let value = evaluation::evaluate(e, &self.database, &self.sources, &self.world, None)?.value;
-                    return Ok(crate::values::text_of(&value, &self.database));
+                    return Ok(match &value {
+                        Value::Text(text) => quoted_steps(text),
+                        other => crate::values::text_of(other, &self.database),
+                    });
                 }
                 // A quoted name that is not plain keeps its quotes, so that dots in it are no path.
-                ItemKind::Text(text) if !text.contains('.') => return Ok(model::quoted(text)),
-                ItemKind::Text(text) => return Ok(text.clone()),
+                ItemKind::Text(text) => return Ok(quoted_steps(text)),
                 _ => return Ok(call.program.word(item.span).to_string()),
             }
         }
@@ -314,6 +316,15 @@ impl Interpreter {
     pub(crate) fn recompute(&mut self, changed: &[CellKey], span: Span) -> Outcome<()> {
         evaluation::recompute(&mut self.database, changed).map_err(|e| vec![e.or_at(span, "needed by this change")])
     }
+}
+
+/// A full name, or a bare one, that was given as a text: steps that are not plain words are put in quotes.
+fn quoted_steps(text: &str) -> String {
+    if text.contains('"') || text.contains('.') && !text.starts_with('.') {
+        return text.to_string();
+    }
+    let quoted = |step: &str| if step.is_empty() { String::new() } else { model::quoted(step) };
+    text.split('.').map(quoted).collect::<Vec<_>>().join(".")
 }
 
 /// Whether objects of a class have a place of their own (and are not merely created at one).

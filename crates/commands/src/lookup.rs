@@ -275,9 +275,13 @@ pub fn new_name(
     if name.is_empty() || steps.iter().any(|s| s.is_empty()) || name.contains(char::is_control) {
         return Err(bad_name(typed, span));
     }
-    let last_quoted = typed.ends_with('"');
-    if !last_quoted && name.starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(bad_name(typed, span));
+    if typed.contains("\\\"") {
+        return Err(bad_name(typed, span).help("a name holds no double quotes"));
+    }
+    let odd = quoted(name);
+    if !typed.ends_with('"') && odd != *name {
+        let path = typed.strip_suffix(name.as_ref()).unwrap_or_default();
+        return Err(bad_name(typed, span).fix("put the name in double quotes", span, format!("{path}{odd}")));
     }
     if !typed.starts_with('.') {
         if !path.is_empty() {
@@ -369,8 +373,7 @@ fn no_parent(class: &Class, typed: &str, span: Span) -> Diagnostic {
 
 fn bad_name(typed: &str, span: Span) -> Diagnostic {
     Diagnostic::error("name/invalid", format!("`{typed}` cannot be a name"))
-        .at(span, "letters, digits and `_`, not starting with a digit")
-        .help("put other names in double quotes")
+        .at(span, "letters, digits and `_`, not starting with a digit; other names in double quotes")
         .adams("Invalid input. Enter return or a parameter.")
 }
 
