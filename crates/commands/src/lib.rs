@@ -26,6 +26,7 @@ mod kept;
 mod known;
 mod lookup;
 mod macro_text;
+mod macro_values;
 mod macros;
 mod names;
 mod number;

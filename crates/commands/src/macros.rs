@@ -2,20 +2,20 @@
 
 use std::collections::HashMap;
 
-use expressions::glob;
-use model::{ObjectId, Value, quoted};
+use model::{ObjectId, Value};
 use schema::{Class, Count, Field, Group, Kind};
-use syntax::command::{Argument, ItemKind};
-use text::Diagnostic;
+use syntax::command::quote;
+use text::{Diagnostic, Span};
 
 use crate::{
     Interpreter,
     call::Call,
     interpreter::{Flow, cannot_read},
     lookup,
-    macro_text::{Bound, Formal, find_formals, substitute},
+    macro_text::{Doubt, Formal, KEYS, What, declarations, find_formals, substitute},
+    macro_values::{PLAIN_TYPES, Wanted},
     tree::{Parameter, Role},
-    words::{Match, match_word},
+    words::did_you_mean,
 };
 
 /// What is kept of a macro.
@@ -161,106 +161,50 @@ impl Interpreter {
         Ok(flow)
     }
 
-    /// The text that stands for a parameter.
-    fn actual(&mut self, formal: &Formal, call: &Call, argument: &Argument) -> Result<String, Vec<Diagnostic>> {
-        let count = argument.values.len();
-        if count < formal.least.max(1) || count > formal.most {
-            let wanted = match (formal.least, formal.most) {
-                (a, b) if a == b => a.to_string(),
-                (a, usize::MAX) => format!("at least {a}"),
-                (a, b) => format!("{a} to {b}"),
-            };
-            return Err(vec![
-                Diagnostic::error(
-                    "command/wrong-count",
-                    format!("`{}` wants {wanted} values, not {count}", formal.name),
-                )
-                .at(argument.value_span, format!("{count} given"))
-                .adams(format!("{wanted} values are required for '{}'.", formal.name)),
-            ]);
-        }
-        let mut texts = Vec::new();
-        for item in &argument.values {
-            let typed = call.program.word(item.span).to_string();
-            texts.push(match &item.kind {
-                ItemKind::Number { value, .. } => {
-                    Self::check_bounds(formal, *value, item.span)?;
-                    typed
+    /// Says what is not understood in the parameters of a macro that was just made. `place` finds an
+    /// offset and a length of its text.
+    pub(crate) fn doubt_parameters(&mut self, id: ObjectId, place: &dyn Fn(&str, usize, usize) -> Span) {
+        let (_, text) = self.macro_as_stored(id);
+        let mut said = Vec::new();
+        for Doubt { at, length, parameter, what } in declarations(&text).1 {
+            let written = &text[at..at + length];
+            let span = place(&text, at, length);
+            let warning = |code, message: String| Diagnostic::warning(code, message);
+            said.push(match what {
+                What::Type => {
+                    let kind = written.to_ascii_lowercase();
+                    if !matches!(Wanted::of(&kind, &self.registry), Wanted::Unknown) {
+                        continue;
+                    }
+                    let message = format!("`{written}` is no type that Flexure knows");
+                    let warning = warning("macro/unknown-type", message)
+                        .at(span, format!("values of `{parameter}` are not checked"));
+                    let classes = self.registry.classes.iter().map(|c| c.id);
+                    let guess =
+                        did_you_mean(warning, PLAIN_TYPES.into_iter().chain(classes), &kind, span, |w| w.into());
+                    guess.unwrap_or_else(|w| w)
                 }
-                ItemKind::Word => self.actual_word(formal, &typed, item.span)?,
-                // Quotes of a text that is used inside quotes would end them.
-                ItemKind::Text(text) if formal.kind == "string" || formal.kind.starts_with("file") => text.clone(),
-                ItemKind::Text(_) | ItemKind::Expression(_) => typed,
+                What::UnknownQualifier => {
+                    let message = format!("`{written}` is no qualifier of a parameter");
+                    let warning =
+                        warning("macro/unknown-qualifier", message).at(span, format!("`{parameter}` goes without it"));
+                    did_you_mean(warning, KEYS, written, span, |w| w.into())
+                        .unwrap_or_else(|w| w.note(format!("the qualifiers are {}", KEYS.join(", "))))
+                }
+                What::Value => {
+                    let message = format!("`{written}` is not understood in the declaration of `{parameter}`");
+                    warning("macro/bad-qualifier", message)
+                        .at(span, "taken as not given")
+                        .help("counts are whole numbers (`c=2`, `c=1,3`, `c=0`), bounds are numbers (`gt=0`)")
+                }
+                What::Unquoted(value) => {
+                    warning("macro/unquoted-default", format!("the default of `{parameter}` has blanks but no quotes"))
+                        .at(span, "all of this is taken")
+                        .fix("put it in quotes", span, quote(&value))
+                }
             });
         }
-        Ok(texts.join(", "))
-    }
-
-    fn actual_word(&mut self, formal: &Formal, typed: &str, span: text::Span) -> Result<String, Vec<Diagnostic>> {
-        let kind = formal.kind.as_str();
-        if let Some(list) = kind.strip_prefix("list(").and_then(|l| l.strip_suffix(')')) {
-            let words: Vec<&str> = list.split(',').map(str::trim).collect();
-            return match match_word(words.iter().copied(), typed) {
-                Match::One(i) => Ok(words[i].to_string()),
-                _ => Err(vec![
-                    Diagnostic::error(
-                        "command/unknown-word",
-                        format!("`{typed}` is not a choice for `{}`", formal.name),
-                    )
-                    .at(span, format!("wants {}", words.join(", ")))
-                    .adams(format!("'{typed}' is not a valid choice for '{}'.", formal.name)),
-                ]),
-            };
-        }
-        // Classes of objects bear some of these names too; in a macro they mean values.
-        if ["real", "integer", "string", "function", "location", "orientation"].contains(&kind) {
-            return Ok(typed.to_string());
-        }
-        let (class, pattern) = match kind.split_once('(') {
-            Some((class, pattern)) => (class, pattern.strip_suffix(')')),
-            None => (kind, None),
-        };
-        if let Some(new) = class.strip_prefix("new_")
-            && let Some(class) = self.registry.class(new)
-        {
-            let place = lookup::new_name(&self.database, &self.registry, class, typed, span).map_err(|e| vec![e])?;
-            let parent = place.parent.map(|p| self.database.full_name(p)).unwrap_or_default();
-            return Ok(format!("{parent}.{}", quoted(&place.name)));
-        }
-        let known = self.registry.classes.iter().any(|c| c.is(class));
-        if !known {
-            return Ok(typed.to_string());
-        }
-        let id = lookup::find(&self.database, &self.registry, typed, class, span).map_err(|e| vec![e])?;
-        if let Some(pattern) = pattern
-            && !glob(pattern, &self.database.object(id).name)
-        {
-            return Err(vec![
-                Diagnostic::error("name/not-found", format!("`{typed}` does not match `{pattern}`"))
-                    .at(span, "not allowed here")
-                    .adams(format!("No {} named '{typed}' was found.", lookup::word_of(&self.registry, class))),
-            ]);
-        }
-        Ok(self.database.full_name(id))
-    }
-
-    fn check_bounds(formal: &Formal, value: f64, span: text::Span) -> Result<(), Vec<Diagnostic>> {
-        for (bound, limit) in &formal.bounds {
-            let (holds, sign) = match bound {
-                Bound::Above => (value > *limit, ">"),
-                Bound::AtLeast => (value >= *limit, ">="),
-                Bound::Below => (value < *limit, "<"),
-                Bound::AtMost => (value <= *limit, "<="),
-            };
-            if !holds {
-                return Err(vec![
-                    Diagnostic::error("value/out-of-range", format!("`{}` must be {sign} {limit}", formal.name))
-                        .at(span, format!("this is {value}"))
-                        .adams(format!("The value of '{}' must be {sign} {limit}.", formal.name)),
-                ]);
-            }
-        }
-        Ok(())
+        self.complain(said);
     }
 
     /// `macro read`: makes or replaces a macro from a file.
@@ -279,7 +223,8 @@ impl Interpreter {
             error.adams_text = vec![format!("Unable to open file named '{file_name}'.")];
             vec![error]
         })?;
-        let text = String::from_utf8(text).unwrap_or_else(|e| e.into_bytes().iter().map(|b| char::from(*b)).collect());
+        let source = self.sources.add_bytes(path.display().to_string(), text);
+        let text = self.sources.text(source).to_string();
         let typed = self.text_argument(call, name)?;
         let id = if let Some(id) = lookup::search_one(&self.database, &typed, "macro") {
             id
@@ -315,6 +260,14 @@ impl Interpreter {
         let lines = text.lines().map(str::to_string).collect();
         self.database.set_value(id, "commands_to_be_executed", Value::Texts(lines));
         self.register_macro(id);
+        let starts: Vec<usize> = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        self.doubt_parameters(id, &|stored, at, length| {
+            // Ends of lines may be longer in the file.
+            let line = stored[..at].matches('\n').count();
+            let column = at - stored[..at].rfind('\n').map_or(0, |n| n + 1);
+            let start = starts.get(line).copied().unwrap_or(0) + column;
+            Span::new(source, start, start + length)
+        });
         Ok(Flow::Next)
     }
 }
@@ -329,7 +282,7 @@ pub(crate) struct ParameterOfMacro<'a> {
 impl Macros {
     pub(crate) fn parameter(&self, id: ObjectId, name: &str) -> Option<ParameterOfMacro<'_>> {
         let formal = self.known.get(&id)?.formals.iter().find(|f| f.name.eq_ignore_ascii_case(name))?;
-        let kind = if formal.kind.is_empty() { "real" } else { &formal.kind };
+        let kind = if formal.kind.is_empty() { "any value" } else { &formal.kind };
         let default = formal.default.as_deref();
         Some(ParameterOfMacro { kind, default, required: default.is_none() && formal.least > 0 })
     }

@@ -145,3 +145,25 @@ fn all_passes_of_a_loop_are_echoed_if_asked_for() {
     i.execute(&text(" echo_all_loops = yes"));
     assert_eq!(echoes(&i), 4);
 }
+
+/// Truth: lines that are read are echoed as they stand, comments too (command-language facts, 12).
+#[test]
+fn comments_of_a_macro_are_echoed_as_they_stand() {
+    let mut i = session();
+    i.execute(
+        "macro create macro_name = say user_entered_command = \"say it\" commands_to_be_executed = &\n  \
+         \"!$x:t=real:d=1\", \"! what for\", \"variable set variable_name = v real_value = $x\"",
+    );
+    let before = journal_of(&i).lines().count();
+    i.execute("say it x = 2");
+    let journal = journal_of(&i);
+    let echoes: Vec<&str> = journal.lines().skip(before).collect();
+    let expected = [
+        "say it x = 2",
+        "! >> say it x = 2",
+        "! >> !$x:t=real:d=1",
+        "! >> ! what for",
+        "! >> variable set variable_name = v real_value = 2",
+    ];
+    assert_eq!(echoes, expected);
+}

@@ -52,7 +52,7 @@ impl Database {
     }
 
     /// A child of the kind that would clash with a new object of `class`: same word in messages.
-    pub(crate) fn child_of_kind(&self, parent: Option<ObjectId>, name: &str, class: &Class) -> Option<ObjectId> {
+    pub fn child_of_kind(&self, parent: Option<ObjectId>, name: &str, class: &Class) -> Option<ObjectId> {
         self.children_named(parent, name).iter().copied().find(|&c| self.object(c).class.word == class.word)
     }
 

@@ -1,7 +1,7 @@
 //! `macro create|modify|read|write`: commands of the user's own.
 
 use schema::{Field, Kind, Names, Verb};
-use text::Diagnostic;
+use text::{Diagnostic, Span};
 
 use super::{VerbEntry, entry};
 use crate::{Interpreter, call::Call, interpreter::Flow, lookup, macros::CLASS};
@@ -57,7 +57,23 @@ fn create(interpreter: &mut Interpreter, call: &Call) -> Outcome {
         .map_err(|t| vec![lookup::taken(&interpreter.database, &CLASS, &typed, t.0, span)])?;
     interpreter.set_fields(id, call)?;
     interpreter.register_macro(id);
+    doubt_lines(interpreter, id, call);
     Ok(Flow::Next)
+}
+
+/// Says what is not understood in the parameters of lines that were just given.
+fn doubt_lines(interpreter: &mut Interpreter, id: model::ObjectId, call: &Call) {
+    let Some(argument) = call.argument("commands_to_be_executed") else { return };
+    interpreter.doubt_parameters(id, &|stored, at, length| {
+        let line = argument.values.get(stored[..at].matches('\n').count());
+        let found = line.and_then(|item| {
+            // Escapes may have moved what is looked for; then the whole line is shown.
+            let start = call.program.word(item.span).find(stored.get(at..at + length)?)?;
+            let from = item.span.start as usize + start;
+            Some(Span::new(item.span.file, from, from + length))
+        });
+        found.or(line.map(|item| item.span)).unwrap_or(argument.value_span)
+    });
 }
 
 pub const READ: VerbEntry = entry(
@@ -121,6 +137,7 @@ fn modify(interpreter: &mut Interpreter, call: &Call) -> Outcome {
         ],
     )?;
     interpreter.register_macro(id);
+    doubt_lines(interpreter, id, call);
     interpreter.database.make_current(id);
     if let Some(argument) = call.argument("new_macro_name") {
         let typed = interpreter.text_argument(call, argument)?;
