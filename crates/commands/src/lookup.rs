@@ -199,7 +199,7 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
             .at(span, "not found")
             .adams(format!("No {word} named '{name}' was found."));
         if let Some(id) = search_one(database, name, "any") {
-            error = error.note(format!("`{}` is a {}", database.full_name(id), database.object(id).class.word));
+            error.message = wrong_kind(database, id, name, &lower);
             return error;
         }
         let below = database.current("model").map(|model| database.below(model, wanted)).unwrap_or_default();
@@ -241,7 +241,7 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
             None => format!("No {word} named '{step}' was found."),
         });
         if let Some(other) = database.child(parent, step, "any") {
-            error = error.note(format!("`{}` is a {}", database.full_name(other), database.object(other).class.word));
+            error.message = wrong_kind(database, other, name, &lower);
             return error;
         }
         let full = |near: &str| {
@@ -252,6 +252,11 @@ fn not_found(database: &Database, registry: &Registry, name: &str, wanted: &str,
         return did_you_mean(error, names, step, span, full).unwrap_or_else(|error| error);
     }
     Diagnostic::error("name/not-found", format!("there is no {lower} `{name}`")).at(span, "not found")
+}
+
+/// The complaint about an object that is there and is of another kind than is wanted.
+fn wrong_kind(database: &Database, id: ObjectId, name: &str, wanted: &str) -> String {
+    format!("`{name}` is a {}, not a {wanted}", database.object(id).class.word)
 }
 
 /// Where a new object of a class goes when nothing or only its own name is given.

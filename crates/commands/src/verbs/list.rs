@@ -186,7 +186,14 @@ fn chosen(interpreter: &mut Interpreter, call: &Call) -> Outcome<Vec<ObjectId>> 
     for (parameter, argument) in call.objects() {
         ids.extend(interpreter.read_value(call, &parameter.field, argument, None)?.value.objects());
     }
-    if call.objects().next().is_none() {
+    let number = match call.field("adams_id") {
+        Some(_) => interpreter.number_argument(call, "adams_id")?,
+        None => None,
+    };
+    if call.objects().next().is_none() && number.is_some() {
+        // A number alone is looked for in the whole model.
+        ids.extend(interpreter.database.current("model").map(|m| interpreter.database.subtree(m)).unwrap_or_default());
+    } else if call.objects().next().is_none() {
         let Some(first) = call.parameters.first() else { return Ok(ids) };
         let wanted = match first.field.kind {
             Kind::Object(_, wanted) => wanted,
@@ -200,10 +207,13 @@ fn chosen(interpreter: &mut Interpreter, call: &Call) -> Outcome<Vec<ObjectId>> 
     if call.field("type_filter").is_some() {
         shared::filter_by_type(interpreter, call, &mut ids)?;
     }
-    if call.field("adams_id").is_some()
-        && let Some(number) = interpreter.number_argument(call, "adams_id")?
-    {
+    if let Some(number) = number {
         ids.retain(|id| interpreter.database.integer(*id, "adams_id") == Some(number as i64));
+        if ids.is_empty() {
+            let span = call.argument("adams_id").map_or(call.span, |a| a.value_span);
+            let error = Diagnostic::error("name/not-found", format!("nothing has the number {number}"));
+            return Err(vec![error.at(span, "not found").help("`list_info names` lists what there is")]);
+        }
     }
     Ok(ids)
 }

@@ -53,8 +53,9 @@ impl Interpreter {
             let reads = self.database.reads(CellKey::new(source, index)).to_vec();
             let reads = reads.iter().map(|r| CellKey { object: *twins.get(&r.object).unwrap_or(&r.object), ..*r });
             let reads = reads.collect();
-            // A number in the solver's files belongs to one object.
-            let own_id = self.database.object(source).class.field(index).name == "adams_id";
+            // A number in the solver's files belongs to one object; that of the ground is always the same.
+            let class = self.database.object(source).class;
+            let own_id = class.field(index).name == "adams_id" && class.id != "ground";
             let cell = if own_id {
                 Cell { value: Value::Integer(0), source: Source::Literal, ..cell.clone() }
             } else {
