@@ -104,8 +104,8 @@ impl Interpreter {
         }
         diagnostics.extend(kept.into_iter().map(|(diagnostic, more)| match more {
             0 => diagnostic,
-            1 => diagnostic.note("so it is once more in the calls that follow"),
-            _ => diagnostic.note(format!("so it is {more} more times in the calls that follow")),
+            1 => diagnostic.note("the same is wrong once more in the calls that follow"),
+            _ => diagnostic.note(format!("the same is wrong {more} more times in the calls that follow")),
         }));
     }
 }
