@@ -17,6 +17,7 @@ mod ends;
 mod evaluation;
 mod export;
 mod fields;
+mod for_loop;
 mod function_text;
 mod help;
 mod host;
