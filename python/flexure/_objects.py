@@ -31,7 +31,9 @@ class Object:
 
     @property
     def name(self) -> str:
-        return self.full_name.rpartition(".")[2]
+        """Name without path and quotes."""
+        full = self.full_name
+        return full[:-1].rpartition('."')[2] if full.endswith('"') else full.rpartition(".")[2]
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):

@@ -120,5 +120,5 @@ def test_a_refused_value_takes_the_others_back(model):
 def test_an_object_is_renamed(model):
     marker = model.markers["i"]
     marker.rename("odd one")
-    assert marker.full_name == '.m.p."odd one"'
+    assert (marker.full_name, marker.name) == ('.m.p."odd one"', "odd one")
     assert model.beams["b"].i_marker_name == '.m.p."odd one"'

@@ -8,6 +8,7 @@ use syntax::command::{ItemKind, Statement, StatementKind, parse, quote};
 use text::{Diagnostic, FileId};
 
 use crate::attributes::AttributeValue;
+use crate::coordinates;
 
 /// A value as doors give it.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +71,8 @@ pub(crate) fn modify_commands(
             .ok_or_else(|| unknown(format!("`{object}` has no attribute `{name}`")))?;
         let framed = !named && value.is_coordinates() && group.fields.iter().any(|f| f.name == "relative_to");
         let frame = if framed { frame_of(database, id, field) } else { None };
-        let argument = format!("{} = {}", field.name, written(field, value)?);
+        let typed = frame.and_then(|_| coordinates::typed(database, field, value));
+        let argument = format!("{} = {}", field.name, written(field, typed.as_ref().unwrap_or(value))?);
         match commands.iter_mut().find(|c| std::ptr::eq(c.group, group) && c.frame == frame) {
             Some(command) => command.arguments.push(argument),
             None => commands.push(Modify { group, frame, arguments: vec![argument] }),

@@ -5,6 +5,7 @@ mod assign;
 mod attributes;
 mod beams;
 mod compare_models;
+mod coordinates;
 mod engine;
 pub mod files;
 mod fixes;
