@@ -13,7 +13,8 @@ use text::{Diagnostic, FileId, Sources};
 use crate::engine::{Engine, data_set, write_data_set};
 use crate::files;
 use crate::modes::ModesAbout;
-use crate::session::{Session, lock, refuse_dataset};
+use crate::reading::refuse_dataset;
+use crate::session::{Session, lock};
 
 /// What the interpreter asks of the engine.
 pub(crate) struct EngineHost(pub Arc<Mutex<Engine>>);

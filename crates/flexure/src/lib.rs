@@ -15,6 +15,7 @@ mod layout;
 mod modes;
 mod overdamped;
 mod persistence;
+mod reading;
 mod recorder;
 mod run;
 mod session;

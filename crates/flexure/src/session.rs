@@ -1,6 +1,6 @@
 //! The session: one interpreter with its models, and what users do with it.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -26,15 +26,6 @@ use crate::run::{Run, RunObserver};
 use crate::settings::SimulationOptions;
 
 pub use commands::Report;
-
-/// Files of Adams that are known by their extension and not read.
-const NOT_READ: [(&str, &str); 5] = [
-    ("acf", "a solver command file"),
-    ("res", "a results file"),
-    ("req", "a request file"),
-    ("gra", "a graphics file"),
-    ("bin", "a binary database"),
-];
 
 /// What verification found: the report in Adams' words, and findings with their mending.
 #[derive(Clone, Debug, Default)]
@@ -73,7 +64,7 @@ impl Session {
         Session { interpreter, engine, journal: None, persistence }
     }
 
-    fn engine(&self) -> MutexGuard<'_, Engine> {
+    pub(crate) fn engine(&self) -> MutexGuard<'_, Engine> {
         lock(&self.engine)
     }
 
@@ -173,7 +164,7 @@ impl Session {
     }
 
     /// Runs something on the interpreter and keeps the journal file up to date.
-    fn journalled(&mut self, command: &str, run: impl FnOnce(&mut Interpreter) -> Report) -> Report {
+    pub(crate) fn journalled(&mut self, command: &str, run: impl FnOnce(&mut Interpreter) -> Report) -> Report {
         let mut report = run(&mut self.interpreter);
         self.write_journal(&mut report);
         self.save(&mut report, command);
@@ -181,63 +172,6 @@ impl Session {
     }
 
     // ---- reading and executing ----
-
-    /// Executes a command file (`.cmd`, `.mac`), or reads a solver dataset (`.adm`) or a model (`.fx`).
-    pub fn read(&mut self, path: &Path) -> Report {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        if let Some((_, what)) = NOT_READ.iter().find(|(known, _)| *known == extension) {
-            let text = format!("{} is {what}; Flexure does not read that yet", path.display());
-            let refusal = Diagnostic::error("file/not-read-yet", text)
-                .help("command files (.cmd, .mac), solver datasets (.adm) and models of Flexure (.fx) are read");
-            return refused(refusal);
-        }
-        self.engine().folder = path.parent().map(Path::to_path_buf);
-        if extension == "fx" {
-            return self.read_store(path);
-        }
-        if extension == "adm" {
-            // The command is what the journal replays and what one step takes back.
-            return self.execute(&format!("file adams_data_set read file_name = {}", quoted(path)));
-        }
-        if let Some(refusal) = std::fs::File::open(path).ok().and_then(|file| {
-            let mut head = Vec::new();
-            file.take(HEAD as u64).read_to_end(&mut head).ok()?;
-            refuse_dataset(&path.display().to_string(), &head)
-        }) {
-            return refused(refusal);
-        }
-        let command = format!("file command read file_name = {}", quoted(path));
-        self.journalled(&command, |interpreter| interpreter.run_file(path))
-    }
-
-    /// Executes bytes as the text of a command file.
-    pub fn read_bytes(&mut self, name: &str, bytes: Vec<u8>) -> Report {
-        if let Some(refusal) = refuse_dataset(name, &bytes) {
-            return refused(refusal);
-        }
-        let mut sources = Sources::default();
-        let file = sources.add_bytes(name, bytes);
-        let text = sources.text(file).to_string();
-        self.journalled(&text, |interpreter| interpreter.run_text(name, &text))
-    }
-
-    /// Executes bytes as if a command file held them, or reads them as a solver dataset: what the
-    /// extension says.
-    pub fn read_bytes_as(&mut self, path: &Path, bytes: Vec<u8>) -> Report {
-        self.engine().folder = path.parent().map(Path::to_path_buf);
-        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("adm")) {
-            let name = path.display().to_string();
-            let command = format!("file adams_data_set read file_name = {}", quoted(path));
-            return self.journalled(&command, |interpreter| interpreter.read_data_set(&name, bytes));
-        }
-        self.read_bytes(&path.display().to_string(), bytes)
-    }
-
-    /// The report of a file that cannot be read.
-    pub fn unreadable(&self, path: &Path, error: &io::Error) -> Report {
-        let message = format!("cannot read {}: {error}", path.display());
-        refused(Diagnostic::error("file/unreadable", message))
-    }
 
     /// Executes command text.
     pub fn execute(&mut self, text: &str) -> Report {
@@ -484,26 +418,8 @@ impl Session {
     }
 }
 
-/// How much of a file tells what it holds.
-const HEAD: usize = 8_192;
-
-/// A path as the text of a command.
-fn quoted(path: &Path) -> String {
-    syntax::command::quote(&path.display().to_string())
-}
-
-/// Instead of an error for each line of a dataset that is read as commands.
-pub(crate) fn refuse_dataset(name: &str, bytes: &[u8]) -> Option<Diagnostic> {
-    let head = bytes.get(..HEAD).unwrap_or(bytes);
-    if !dataset::looks_like_dataset(&String::from_utf8_lossy(head)) {
-        return None;
-    }
-    let message = format!("{name} looks like a solver dataset, not like a command file");
-    let refusal = Diagnostic::error("file/dataset", message);
-    Some(refusal.help("give it the ending `.adm`, or read it with `file adams_data_set read file_name = ...`"))
-}
-
-fn refused(refusal: Diagnostic) -> Report {
+/// The report of something that was refused as a whole.
+pub(crate) fn refused(refusal: Diagnostic) -> Report {
     Report { failed: 1, diagnostics: vec![refusal], ..Report::default() }
 }
 
