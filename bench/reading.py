@@ -192,10 +192,11 @@ def main() -> None:
         # Short files are dominated by the start of the process, long ones by memory that is touched for
         # the first time: what a page costs differs with what else the machine does.
         for verb in ("check", "run"):
-            for sizes, taken in (("over all sizes", rows), ("from 1 MB on", [r for r in rows if r["bytes"] >= 0.9e6])):
+            long = [row for row in rows if row["bytes"] >= 0.9e6]
+            for sizes, key, taken in (("over all sizes", "", rows), ("from 1 MB on", "_from_1_MB", long)):
                 if len(taken) > 1:
                     slope = exponent([(row["bytes"], row[f"{verb}_s"]) for row in taken])
-                    summary[f"exponent_of_{verb} {sizes}"] = slope
+                    summary[f"exponent_of_{verb}{key}"] = slope
                     print(f"exponent of {verb} {sizes}: {slope:.3f}")
         example = best([str(FLEXURE), "check", str(EXAMPLE)], SHORT_FILES)
         summary["example_ms"] = 1e3 * example["wall_s"]

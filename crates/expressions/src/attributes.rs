@@ -2,7 +2,7 @@
 //! object has.
 
 use model::{Array, CellKey, Database, ObjectId, Value};
-use schema::{Dimension, Kind};
+use schema::Kind;
 
 use crate::{
     evaluate::Evaluator,
@@ -140,11 +140,7 @@ impl Evaluator<'_> {
                 )),
             };
         };
-        let ratio = if cell.units == database.settings().units || field.dimension == Dimension::NONE {
-            1.0
-        } else {
-            database.unit_system(cell.units).factor(field.dimension) / database.units().factor(field.dimension)
-        };
+        let ratio = database.ratio(cell.units, field.dimension);
         Ok(match &cell.value {
             Value::Number(x) if ratio != 1.0 => Value::Number(x * ratio),
             Value::Integer(i) if ratio != 1.0 => Value::Number(*i as f64 * ratio),

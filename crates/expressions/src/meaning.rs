@@ -18,8 +18,7 @@ pub fn with_another_meaning(database: &Database) -> Vec<String> {
             let key = CellKey::new(id, index);
             let Ok(now) = compute(database, key, &cell.source) else { continue };
             let (Some(now), Some(stored)) = (now.value.as_numbers(), cell.value.as_numbers()) else { continue };
-            let factor = |units| database.unit_system(units).factor(field.dimension);
-            let ratio = factor(cell.units) / factor(database.settings().units);
+            let ratio = database.ratio(cell.units, field.dimension);
             let differs = |(now, stored): (&f64, &f64)| {
                 let stored = stored * ratio;
                 (now - stored).abs() > SAME * now.abs().max(stored.abs()).max(f64::MIN_POSITIVE)

@@ -226,7 +226,7 @@ impl Database {
     }
 
     /// Factor from entered units to the units in force; exactly 1 when they are the same.
-    fn ratio(&self, entered: UnitsId, dimension: Dimension) -> f64 {
+    pub fn ratio(&self, entered: UnitsId, dimension: Dimension) -> f64 {
         if entered == self.settings.units || dimension == Dimension::NONE {
             1.0
         } else {

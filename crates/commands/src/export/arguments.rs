@@ -1,6 +1,6 @@
 //! The arguments of exported commands: cells as text in the units and frames of the export.
 
-use model::{Cell, CellKey, ObjectId, Source, UnitsId, Value};
+use model::{Cell, CellKey, ObjectId, Source, Value};
 use schema::{Dimension, Field, Group, Kind, Use};
 
 use super::{Phase, Writer};
@@ -68,7 +68,7 @@ impl Writer<'_> {
             Source::Expression(e) => format!("({})", evaluation::print(e, self.database)),
             Source::Elements(elements) => {
                 let mut numbers = cell.value.as_numbers().unwrap_or_default();
-                let ratio = self.ratio(cell.units, field.dimension);
+                let ratio = self.database.ratio(cell.units, field.dimension);
                 for x in &mut numbers {
                     *x *= ratio;
                 }
@@ -104,14 +104,6 @@ impl Writer<'_> {
         }
     }
 
-    fn ratio(&self, entered: UnitsId, dimension: Dimension) -> f64 {
-        if entered == self.database.settings().units || dimension == Dimension::NONE {
-            1.0
-        } else {
-            self.database.unit_system(entered).factor(dimension) / self.database.units().factor(dimension)
-        }
-    }
-
     fn number(&self, field: &Field, x: f64) -> String {
         match field.kind {
             Kind::Integer => format!("{}", x as i64),
@@ -129,7 +121,7 @@ impl Writer<'_> {
     /// The text of a value; none for what cannot be written.
     fn value(&self, key: CellKey, field: &Field, cell: &Cell) -> Option<String> {
         let _ = key;
-        let ratio = self.ratio(cell.units, field.dimension);
+        let ratio = self.database.ratio(cell.units, field.dimension);
         Some(match &cell.value {
             Value::Nothing => return None,
             // What an expression computes is set again by it: as many digits as Adams writes will do.

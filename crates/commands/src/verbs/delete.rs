@@ -112,25 +112,24 @@ impl Interpreter {
         // A group does not keep its members alive.
         let (groups, others): (Vec<_>, Vec<_>) =
             dependents.into_iter().partition(|d| self.database.object(*d).class.id == "group");
-        if !others.is_empty() {
-            // Of several the first that is needed; it may be needed only together with others.
-            let needed = chosen.iter().find_map(|id| {
-                let mut users = self.dependents_of(&self.database.subtree(*id));
-                users.retain(|user| others.contains(user));
-                (!users.is_empty()).then_some((*id, users))
-            });
-            let Some((id, others)) = needed.or_else(|| Some((*chosen.first()?, others))) else { return Ok(()) };
-            let names: Vec<String> = others.iter().take(16).map(|d| self.database.full_name(*d)).collect();
+        // What refers to any of them refers to what is below one of them: the first such is named.
+        for &id in chosen.iter().filter(|_| !others.is_empty()) {
+            let mut users = self.dependents_of(&self.database.subtree(id));
+            users.retain(|user| others.contains(user));
+            if users.is_empty() {
+                continue;
+            }
+            let names: Vec<String> = users.iter().take(16).map(|d| self.database.full_name(*d)).collect();
             let what = self.database.full_name(id);
             return Err(vec![
                 Diagnostic::error(
                     "name/has-dependents",
-                    format!("`{what}` cannot be deleted: {}", referring(others.len())),
+                    format!("`{what}` cannot be deleted: {}", referring(users.len())),
                 )
                 .at(call.span, format!("used by {}", names.join(", ")))
                 .help("delete or change these first, or name them in the same command")
                 .adams(format!("The object {what} was not deleted because "))
-                .adams(format!("{} objects depend on it.", others.len()))
+                .adams(format!("{} objects depend on it.", users.len()))
                 .adams(names.join(", ")),
             ]);
         }
